@@ -391,7 +391,7 @@ fn buoys_are_moored_where_the_sea_is_clicked() {
     harness.drag_at(egui::pos2(300.0, 250.0));
     harness.drop_at(egui::pos2(300.0, 250.0));
     harness.run_steps(3);
-    let floats = params(&harness).floats;
+    let floats = params(&harness).floating_objects;
     assert_eq!(floats.len(), 1, "{}", harness.state().state());
     // Twenty degrees below the horizon from seven metres, a little to the left of east.
     assert!((5.0..40.0).contains(&floats[0].x_m) && floats[0].z_m < 0.0, "{floats:?}");

@@ -30,7 +30,7 @@ fn welch(series: &[f64]) -> Vec<f64> {
     let starts: Vec<usize> = (0..=series.len() - SEGMENT).step_by(SEGMENT / 2).collect();
     for start in &starts {
         let line: Vec<[f64; 2]> = (0..SEGMENT).map(|i| [window(i) * series[start + i], 0.0]).collect();
-        for (sum, x) in out.iter_mut().zip(transform::inverse(&line)) {
+        for (sum, x) in out.iter_mut().zip(transform::inverse_dft(&line)) {
             *sum += (x[0] * x[0] + x[1] * x[1]) * STEP_S / (PI * power * starts.len() as f64);
         }
     }

@@ -6,7 +6,7 @@ mod common;
 use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{BinaryOperator, Expression, Function, MathFunction, Module, Override, Statement, TypeInner};
 use seastate::bench::cost;
-use seastate::waves::tiling::MEAN_COPIES;
+use seastate::waves::tiling::MEAN_BLENDED_COPIES;
 
 /// Cost of a transcendental function, root or quotient in additions.
 const SPECIAL: f64 = 4.0;
@@ -15,9 +15,9 @@ const SPECIAL: f64 = 4.0;
 /// pixel takes no slopes from the mesh, and its maps are neither magnified nor distant.
 fn trips(function: &str) -> &'static [f64] {
     match function {
-        "water_displacement" => &[4.0, MEAN_COPIES],
+        "water_displacement" => &[4.0, MEAN_BLENDED_COPIES],
         "water_slope_with_carried" => &[5.0],
-        "water_add_waves" => &[MEAN_COPIES],
+        "water_add_waves" => &[MEAN_BLENDED_COPIES],
         "water_gradient_mean" | "foam_level" => &[3.0],
         "water_slope_moments" => &[2.0],
         "water_mirror_among" => &[8.0, 2.0],

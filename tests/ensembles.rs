@@ -6,7 +6,7 @@ mod common;
 use common::{gpu, params};
 use seastate::lab::estimate::EstimateWithError;
 use seastate::lab::stats;
-use seastate::lab::validate::choice_words;
+use seastate::lab::validate::choice_parameter_values;
 
 const SEEDS: u32 = 64;
 
@@ -33,15 +33,17 @@ const SEAS: [State; 16] = [
 
 /// The table above, and a usual sea for every spectrum that it does not have.
 fn seas() -> Vec<State> {
-    let others = choice_words("spectrum").into_iter().filter(|w| SEAS.iter().all(|s| s.0 != *w));
+    let others = choice_parameter_values("spectrum").into_iter().filter(|w| SEAS.iter().all(|s| s.0 != *w));
     SEAS.into_iter().chain(others.map(|w| (w, "donelan-banner", 10.0, 100.0, 4000.0, ""))).collect()
 }
 
 #[test]
 fn the_subset_covers_everything() {
-    assert!(choice_words("spectrum").iter().all(|w| seas().iter().any(|s| s.0 == *w)));
-    assert!(choice_words("spread").iter().all(|w| SEAS.iter().any(|s| s.1 == *w && s.0 != "tessendorf")));
-    assert!(choice_words("dispersion").iter().all(|w| *w == "finite" || SEAS.iter().any(|s| s.5.contains(w))));
+    assert!(choice_parameter_values("spectrum").iter().all(|w| seas().iter().any(|s| s.0 == *w)));
+    assert!(choice_parameter_values("spread").iter().all(|w| SEAS.iter().any(|s| s.1 == *w && s.0 != "tessendorf")));
+    assert!(
+        choice_parameter_values("dispersion").iter().all(|w| *w == "finite" || SEAS.iter().any(|s| s.5.contains(w)))
+    );
 }
 
 fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
@@ -62,13 +64,13 @@ fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
     within("mss", &m.mss, r.mss);
     within("Tm01", &m.tm01_s, r.tm01_s);
     within("Tm02", &m.tm02_s, r.tm02_s);
-    within("mean", &m.mean_m, 0.0);
-    match (r.mean_from_deg, &m.from_deg) {
+    within("mean", &m.mean_elevation_m, 0.0);
+    match (r.mean_from_deg, &m.mean_from_deg) {
         (Some(from), Some(measured)) => {
             let error = measured.standard_error.expect("64 seeds have a standard error");
             let off = ((measured.value - from + 540.0).rem_euclid(360.0) - 180.0).abs();
             assert!(off < 5.0 * error && off < 2.0, "from {from}, measured {measured:?}\n{state}\n{report}");
-            within("r1", &m.r1, r.r1);
+            within("r1", &m.r1, r.first_directional_moment);
             within("spread", &m.spread_deg, r.spread_deg);
         }
         // Maps at two times separate opposite directions, here with equal variances.

@@ -1,7 +1,7 @@
 //! Theory against the waves on the lattices for every spectrum with every spreading, from calm to hurricane and from
 //! deep water to 3 m, on the CPU. `tests/ensembles.rs` measures a covering subset on the GPU.
 
-use seastate::lab::validate::choice_words;
+use seastate::lab::validate::choice_parameter_values;
 use seastate::state::query;
 use seastate::waves::Plan;
 use seastate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
@@ -33,7 +33,7 @@ fn faults(state: &str, symmetric: bool) -> Vec<String> {
     let plan = Plan::new(&query::parse(state).0);
     let t = SpectrumStatistics::new(&plan);
     let r = LatticeStatistics::new(&plan, t.variance_m2);
-    let captured = plan.captured_fraction();
+    let captured = plan.resolved_variance_fraction();
     let mut faults = Vec::new();
     let mut check = |what: &str, holds: bool| {
         if !holds {
@@ -49,7 +49,10 @@ fn faults(state: &str, symmetric: bool) -> Vec<String> {
     );
     check("spread within 5 %", (r.spread_deg / t.spread_deg - 1.0).abs() < 0.05);
     if symmetric {
-        check("no direction", r.r1 < 0.01 && t.mean_from_deg.is_none() && r.mean_from_deg.is_none());
+        check(
+            "no direction",
+            r.first_directional_moment < 0.01 && t.mean_from_deg.is_none() && r.mean_from_deg.is_none(),
+        );
     } else {
         let from = plan.sea.first_system().from_deg;
         let off = |deg: Option<f64>| deg.map_or(f64::NAN, |d| ((d - from + 540.0) % 360.0 - 180.0).abs());
@@ -60,7 +63,7 @@ fn faults(state: &str, symmetric: bool) -> Vec<String> {
 }
 
 fn all_pairs(spectra: &[&str]) {
-    let spreads = choice_words("spread");
+    let spreads = choice_parameter_values("spread");
     let mut wrong = Vec::new();
     for spectrum in spectra {
         for &spread in &spreads {
@@ -83,13 +86,16 @@ fn all_pairs(spectra: &[&str]) {
 /// A list that lost a word would test less.
 #[test]
 fn all_spectra_are_covered() {
-    assert_eq!(halves().concat(), choice_words("spectrum"));
-    assert_eq!((choice_words("spectrum").len(), choice_words("spread").len(), STATES.len()), (12, 7, 13));
+    assert_eq!(halves().concat(), choice_parameter_values("spectrum"));
+    assert_eq!(
+        (choice_parameter_values("spectrum").len(), choice_parameter_values("spread").len(), STATES.len()),
+        (12, 7, 13)
+    );
 }
 
 /// All spectra in two halves, so that two tests share the work.
 fn halves() -> [Vec<&'static str>; 2] {
-    let mut first = choice_words("spectrum");
+    let mut first = choice_parameter_values("spectrum");
     let second = first.split_off(first.len() / 2);
     [first, second]
 }
@@ -112,7 +118,7 @@ fn every_sea_is_captured() {
             for spectrum in ["pm", "jonswap", "tma"] {
                 for depth in [3.0, 20.0, 4000.0] {
                     let state = format!("wind={wind}&fetch={fetch}&spectrum={spectrum}&depth={depth}");
-                    let captured = Plan::new(&query::parse(&state).0).captured_fraction();
+                    let captured = Plan::new(&query::parse(&state).0).resolved_variance_fraction();
                     assert!(captured > 0.99, "{state}: {captured}");
                 }
             }

@@ -146,7 +146,7 @@ fn a_glide_ends_exactly_on_the_state() {
             frames += 1;
         }
         assert!((45..=FRAMES).contains(&frames), "{sea}: {frames} frames");
-        assert_eq!(window.ocean.level_m(), window.params.sea.still_water_level_m, "{sea}");
+        assert_eq!(window.ocean.still_water_level_m(), window.params.sea.still_water_level_m, "{sea}");
         let (got, want) = (window.picture(), still.picture());
         assert!(between != want, "{sea}: it takes its time");
         assert!(got == want, "{sea}: {} of 255 from the picture of the state", difference(&got, &want));
@@ -209,7 +209,7 @@ fn the_same_waves_grow_in_place() {
     let mut before = 1.0;
     for _ in 0..FRAMES {
         window.frame(FRAME_S);
-        assert_eq!(window.ocean.simulation().maps().fading_count, 0, "one sea");
+        assert_eq!(window.ocean.simulation().maps().fading_cascade_count, 0, "one sea");
         let now = window.surface();
         // One factor for every height.
         let scale = start.iter().zip(&now).map(|(a, b)| a * b).sum::<f64>() / start.iter().map(|a| a * a).sum::<f64>();
@@ -227,7 +227,7 @@ fn a_drag_costs_one_spectrum_a_frame() {
     let rest = fastest(&mut window, 20, |_, _| {});
     let spectrum_pass_count = window.ocean.simulation().spectrum_pass_count();
     let allocations = window.ocean.simulation().resources.allocation_count;
-    let generation = window.ocean.simulation().maps().generation;
+    let generation = window.ocean.simulation().maps().view_generation;
     let most =
         fastest(&mut window, 30, |window, i| window.wish(&format!("hs={}&tp=8&n=64", 2.0 + 0.04 * (i + 1) as f64)));
     assert_eq!(window.ocean.simulation().spectrum_pass_count() - spectrum_pass_count, 30);
@@ -242,7 +242,7 @@ fn a_drag_costs_one_spectrum_a_frame() {
     window.frame(FRAME_S);
     assert_eq!(window.ocean.simulation().spectrum_pass_count(), after, "at rest there is nothing to draw");
     assert_eq!(window.ocean.simulation().resources.allocation_count, allocations);
-    assert_eq!(window.ocean.simulation().maps().generation, generation);
+    assert_eq!(window.ocean.simulation().maps().view_generation, generation);
     let rest = rest.max(fastest(&mut window, 20, |_, _| {}));
     assert!(most < 1.5 * rest, "{most} against {rest}");
 }
@@ -282,7 +282,7 @@ fn a_change_costs_what_its_level_needs() {
             assert_eq!(after.0 > before.0, is_new, "{key}: spectrum passes");
             assert_eq!(after.1 > before.1, is_new, "{key}: tables");
             assert_eq!(
-                !Arc::ptr_eq(&window.ocean.plan().energy, &plan.energy),
+                !Arc::ptr_eq(&window.ocean.plan().spectrum_integrals, &plan.spectrum_integrals),
                 is_new,
                 "{key}: integrals of the spectrum"
             );
@@ -380,7 +380,7 @@ fn a_boat_stays_on_the_water() {
         // Each cascade alone, on its own texels.
         let n = window.ocean.plan().n as usize;
         let mut maps = window.heave_waves();
-        let fades = window.ocean.simulation().maps().fading_count > 0;
+        let fades = window.ocean.simulation().maps().fading_cascade_count > 0;
         if !fades {
             maps.truncate(seas[0].amplitude_factors.len());
         }

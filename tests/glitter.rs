@@ -9,7 +9,7 @@ use seastate::gpu::Gpu;
 use seastate::gpu::readback;
 use seastate::ocean::still::PICTURE_FORMAT;
 use seastate::ocean::{Ocean, OutputKind};
-use seastate::waves::slopes::{SlopeVariance, cox_munk};
+use seastate::waves::slopes::{SlopeVariance, cox_munk_slope_variance};
 
 const SIZE: [u32; 2] = [192, 192];
 const INDEX: f64 = 1.333;
@@ -27,7 +27,7 @@ fn light(gpu: &Gpu, state: &str) -> (Vec<f64>, Vec<DVec3>) {
     let mut encoder = gpu.encoder("test");
     // No foam replay.
     ocean.record_frame(&mut encoder, SIZE, 0);
-    let copy = readback::stage_texture(gpu, &mut encoder, ocean.light_texture().expect("a picture"), 0);
+    let copy = readback::stage_texture(gpu, &mut encoder, ocean.lit_picture_texture().expect("a picture"), 0);
     gpu.submit(encoder);
     let bytes = pollster::block_on(copy.read(gpu)).expect("read-back");
     let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&bytes);
@@ -48,7 +48,7 @@ fn measured(gpu: &Gpu, wind: f64, more: &str) -> SlopeVariance {
     let (bright, dirs) = light(gpu, &state);
     let (dark, _) = light(gpu, &format!("{state}&glitter=0"));
     const BINS: usize = 25;
-    let reach = 2.2 * cox_munk(wind)[0].max(cox_munk(wind)[1]).sqrt();
+    let reach = 2.2 * cox_munk_slope_variance(wind)[0].max(cox_munk_slope_variance(wind)[1]).sqrt();
     let mut bins = vec![(0.0, 0.0); BINS * BINS];
     let bin = |s: f64| ((s / reach + 1.0) * 0.5 * BINS as f64).floor();
     for ((b, d), dir) in bright.iter().zip(&dark).zip(&dirs) {
@@ -104,7 +104,7 @@ fn solve(mut m: [[f64; 6]; 5]) -> [f64; 5] {
 fn the_glitter_is_as_wide_as_cox_and_munk_found_it() {
     let gpu = common::gpu();
     for wind in [3.0, 7.0, 14.0] {
-        let (got, want) = (measured(&gpu, wind, ""), cox_munk(wind));
+        let (got, want) = (measured(&gpu, wind, ""), cox_munk_slope_variance(wind));
         let off = [got[0] / want[0] - 1.0, got[1] / want[1] - 1.0];
         eprintln!("{wind} m/s: upwind {:.5} of {:.5}, crosswind {:.5} of {:.5}", got[0], want[0], got[1], want[1]);
         assert!(off.iter().all(|o| o.abs() < 0.15), "{wind} m/s: {off:?}");

@@ -60,7 +60,7 @@ fn drawn(plan: &Plan, cascade: &Cascade, i: usize, read: impl Fn(usize) -> [Texe
 
 /// Largest difference between a sample and the drawn fields: lengths in units of Hs, normals and Jacobians as they are.
 fn difference(sea: &SurfaceSample, at: [f64; 2], drawn: &WaveFields, plan: &Plan) -> f64 {
-    let [lx, lz] = plan.sea.choppiness();
+    let [lx, lz] = plan.sea.choppiness_xz();
     let WaveFields { displacement: d, slope: [sx, sz], strain: [xx, zz, xz, zx] } = *drawn;
     let world = [at[0] + lx * d[0], at[1] + lz * d[2]];
     let jacobian = (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx;
@@ -236,7 +236,7 @@ fn the_velocity_is_that_of_the_water() {
         let plan = plan(state);
         let sea = StrongestWaves::new(&plan, usize::MAX);
         // The time resolution of the phases.
-        let tick = plan.period_s / 4_294_967_296.0;
+        let tick = plan.repeat_period_s / 4_294_967_296.0;
         let dt = 100.0 * tick;
         for (i, ([x, z], _)) in places(50, 5000.0).enumerate() {
             let t_s = (random(i, 9) * 1e7).floor() * tick;

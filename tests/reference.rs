@@ -39,7 +39,12 @@ impl Viewer {
 
     /// The light of the reference of the normal picture that was drawn last.
     fn light(&mut self, samples: u32, seed: u32) -> Vec<[f32; 3]> {
-        let made = reference::reference_light(&self.gpu, &mut self.ocean, self.size, Sampling { samples, seed });
+        let made = reference::reference_light(
+            &self.gpu,
+            &mut self.ocean,
+            self.size,
+            Sampling { min_samples_per_pixel: samples, seed },
+        );
         pollster::block_on(made).expect("a reference")
     }
 

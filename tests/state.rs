@@ -1,11 +1,11 @@
 //! The state string: reading never fails, and a state that was read is written and read back unchanged.
 
-use seastate::files::measured::{Direction, MAX_BANDS, MeasuredSpectrum};
+use seastate::files::measured::{DirectionalParameters, MAX_BANDS, MeasuredSpectrum};
 use seastate::state::fields::{FIELDS, Field, FieldKind};
 use seastate::state::floats::{FloatingObject, FloatingObjectKind, MAX_FLOATING_OBJECTS};
 use seastate::state::look::SkyFile;
 use seastate::state::{Params, query};
-use seastate::waves::table::Table;
+use seastate::waves::table::SpectrumTable;
 use seastate::waves::{Plan, noise};
 
 /// Deterministic random numbers from the hash of the crate.
@@ -123,7 +123,7 @@ fn a_hundred_thousand_hostile_strings() {
             let plan = Plan::new(&params);
             assert!((1..=4).contains(&plan.cascades.len()), "{written}");
             assert!(
-                plan.hs_m().is_finite() && plan.captured_fraction().is_finite() && plan.k_max().is_finite(),
+                plan.hs_m().is_finite() && plan.resolved_variance_fraction().is_finite() && plan.k_max().is_finite(),
                 "{written}"
             );
         }
@@ -162,8 +162,8 @@ fn corners_of_every_range_give_a_finite_plan() {
                     "{} = {corner}: {cascade:?}",
                     field.key
                 );
-                let table = Table::new(&plan, cascade);
-                let finite = table.values.iter().flatten().all(|v| v.is_finite() && (*v as f32).is_finite());
+                let table = SpectrumTable::new(&plan, cascade);
+                let finite = table.term_vectors.iter().flatten().all(|v| v.is_finite() && (*v as f32).is_finite());
                 assert!(
                     finite && table.waves.iter().all(|w| w.orbit_axis_ratio.is_finite()),
                     "{} = {corner}",
@@ -245,7 +245,7 @@ fn no_state_is_too_long_to_be_read() {
         (field.set)(&mut params, longest);
     }
     let bands: Vec<_> = (0..MAX_BANDS).map(|i| (1.001e-3 * (i + 100) as f64, 1.234e-7 + 1e-10 * i as f64)).collect();
-    let direction = Direction { alpha1_deg: 234.5, alpha2_deg: 123.4, r1: 0.123, r2: 0.234 };
+    let direction = DirectionalParameters { alpha1_deg: 234.5, alpha2_deg: 123.4, r1: 0.123, r2: 0.234 };
     let buoy = MeasuredSpectrum::new(&bands, Some(&vec![direction; MAX_BANDS])).expect("a sea");
     params.sea.measured = Some(std::sync::Arc::new(buoy));
     let far = FloatingObject {
@@ -253,7 +253,7 @@ fn no_state_is_too_long_to_be_read() {
         x_m: -123_456.789_012_345_67,
         z_m: -1.234_567_890_123_456_7e-101,
     };
-    params.floats = vec![far; MAX_FLOATING_OBJECTS];
+    params.floating_objects = vec![far; MAX_FLOATING_OBJECTS];
     params.look.sky.file = SkyFile::from_path(&"🌊".repeat(200));
     let state = query::write(&params);
     assert!((10_000..=seastate::files::MAX_STATE_BYTES).contains(&state.len()), "{}", state.len());

@@ -256,7 +256,7 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
     for untile in ["", "&untile=0"] {
         let mut bench = Bench::new(&format!("wind=10&fetch=100&t=5&n=256&chop=0{untile}"));
         let plan = bench.ocean.plan().clone();
-        let whole = plan.slope_variance(f64::INFINITY);
+        let whole = plan.resolved_slope_variance_below(f64::INFINITY);
         let mut before = f64::INFINITY;
         // Pixels from a fraction of the finest texel to more than the largest patch; long pixels too.
         let texel = plan.cascades[plan.cascades.len() - 1].patch_m / f64::from(plan.n);
@@ -288,7 +288,7 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
 /// Oracle of the drawn fields of a sea at 30 s, for each cascade.
 struct Twin {
     plan: Plan,
-    maps: Vec<oracle::maps::MapPair>,
+    maps: Vec<oracle::maps::CascadeMapPair>,
 }
 
 impl Twin {

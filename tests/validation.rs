@@ -35,7 +35,7 @@ fn agree(a: &str, b: &str) -> bool {
 
 #[test]
 fn the_page_is_what_the_program_computes() {
-    let now = validate::build(None, 12, &PAGE_PARTS).expect("theory needs no GPU");
+    let now = validate::build_validation_page(None, 12, &PAGE_PARTS).expect("theory needs no GPU");
     let page = fs::read_to_string(committed().join("validation.md")).expect("docs/validation.md");
     let (ours, theirs) = (rows(&now.markdown()), rows(&page));
     assert_eq!(ours.len(), theirs.len(), "rows of tables");
@@ -59,19 +59,19 @@ fn the_page_is_what_the_program_computes() {
         assert_eq!(ours, theirs, "run seastate validate");
     }
     assert!(!page.contains(PENDING_CELL), "the page is measured");
-    for (name, _) in now.drawings() {
+    for (name, _) in now.figure_svgs() {
         let svg = fs::read_to_string(committed().join(format!("validation/{name}.svg"))).expect(name);
         assert!(svg.len() < 60_000, "{name}: {} bytes", svg.len());
         assert!(page.contains(&format!("validation/{name}.svg")), "{name} is shown");
     }
     let files = fs::read_dir(committed().join("validation")).expect("the figures").count();
-    assert_eq!(files, now.drawings().len(), "no figure is left over");
+    assert_eq!(files, now.figure_svgs().len(), "no figure is left over");
 }
 
 #[test]
 fn a_slice_is_measured_and_written() {
     let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
-    let page = validate::build(Some(&gpu), 2, &["dispersion"]).expect("a page");
+    let page = validate::build_validation_page(Some(&gpu), 2, &["dispersion"]).expect("a page");
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("validation");
     // The folder may be left from an earlier run.
     let _ = fs::remove_dir_all(&folder);

@@ -93,7 +93,7 @@ fn maps_are_shown_as_they_are() {
     let state = "wind=12&n=64&t=33&chopx=0.7&dir=200";
     let plan = Plan::new(&params(state));
     let maps = common::maps(&pictures.gpu, state, 33.0);
-    let chop = plan.sea.choppiness();
+    let chop = plan.sea.choppiness_xz();
     for cascade in 0..plan.cascades.len() {
         let (d, g) = (maps.displacement(cascade), maps.gradients(cascade));
         let d = |i: usize, c: usize| f64::from(d[i][c]);

@@ -2,7 +2,7 @@
 
 @group(0) @binding(9) var<uniform> material: Material;
 
-// Parts of the water that the pipeline contains; set from `Permutation` in src/render/water/light.rs.
+// Parts of the water that the pipeline contains; set from `WaterLightVariant` in src/render/water/light.rs.
 override WATER_BED: bool = false;
 override WATER_CAUSTICS: bool = false;
 override WATER_FOAM: bool = true;

@@ -10,7 +10,7 @@ use std::cell::OnceCell;
 
 /// Plan, statistics and plot data of one sea, computed from its parameters. The expensive parts are computed at their
 /// first use.
-pub struct Derived {
+pub struct DerivedSeaData {
     /// Parameters from which the other fields were computed.
     pub params: Params,
     /// Plan (the waves of the sea, divided among cascades) for the FFT size that the user requested; adaptive quality
@@ -18,7 +18,7 @@ pub struct Derived {
     pub plan: Plan,
     /// Statistics of the sea (wave height, periods, slope, direction) by theory, from integrals of the continuous
     /// spectrum.
-    pub theory: SpectrumStatistics,
+    pub theoretical_statistics: SpectrumStatistics,
     /// Statistics of the resolved waves (those on the FFT grids), as sums over these waves; empty until first used.
     resolved: OnceCell<LatticeStatistics>,
     /// The strongest waves of the sea, selected as for the motion of floating hulls; here they only give the height of
@@ -28,7 +28,7 @@ pub struct Derived {
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
 }
 
-impl Derived {
+impl DerivedSeaData {
     /// Computes the plan of a sea and its statistics by theory; the other quantities follow when they are first used.
     pub fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
@@ -36,7 +36,7 @@ impl Derived {
         Self {
             params: params.clone(),
             plan,
-            theory,
+            theoretical_statistics: theory,
             resolved: OnceCell::new(),
             hull_waves: OnceCell::new(),
             directional_spectrum: OnceCell::new(),
@@ -63,7 +63,7 @@ impl Derived {
 
     /// Statistics of the resolved waves (those on the FFT grids); computed at the first call.
     pub fn lattice_statistics(&self) -> &LatticeStatistics {
-        self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theory.variance_m2))
+        self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theoretical_statistics.variance_m2))
     }
 
     /// The waves of the sea with the largest variance. Their sum, computed on the CPU, approximates the height of the
@@ -87,20 +87,26 @@ mod tests {
     fn foam_leaves_theory_and_heights_as_they_are() {
         let mut params = Params::default();
         params.grid.n = 64;
-        let mut derived = Derived::new(&params);
+        let mut derived = DerivedSeaData::new(&params);
         let first = derived.plan.clone();
         derived.strongest_waves();
         params.sea.foam.decay_s = 9.0;
         assert_eq!(derived.update(&params), Some(SeaChange::Foam));
         assert_eq!(derived.update(&params), None);
-        assert!(Arc::ptr_eq(&derived.plan.energy, &first.energy) && derived.hull_waves.get().is_some());
+        assert!(
+            Arc::ptr_eq(&derived.plan.spectrum_integrals, &first.spectrum_integrals)
+                && derived.hull_waves.get().is_some()
+        );
         assert_eq!(derived.plan, Plan::new(&params));
         params.sea.chop = 0.5;
         assert_eq!(derived.update(&params), Some(SeaChange::Surface));
-        assert!(Arc::ptr_eq(&derived.plan.energy, &first.energy) && derived.hull_waves.get().is_none());
+        assert!(
+            Arc::ptr_eq(&derived.plan.spectrum_integrals, &first.spectrum_integrals)
+                && derived.hull_waves.get().is_none()
+        );
         assert_eq!(derived.plan, Plan::new(&params));
         params.sea.depth_m = 10.0;
         assert_eq!(derived.update(&params), Some(SeaChange::Waves));
-        assert!(!Arc::ptr_eq(&derived.plan.energy, &first.energy));
+        assert!(!Arc::ptr_eq(&derived.plan.spectrum_integrals, &first.spectrum_integrals));
     }
 }

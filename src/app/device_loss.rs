@@ -4,7 +4,7 @@
 
 use super::gpu_errors::GpuErrors;
 use super::measurements::{FrameMeasurements, SeaMeasurement};
-use super::viewport::Progress;
+use super::viewport::DrawingProgress;
 use super::{App, setup};
 use crate::gpu::Gpu;
 use crate::ocean::{Ocean, OutputKind};
@@ -34,7 +34,7 @@ impl AppHost {
         create: impl FnOnce(&eframe::CreationContext<'_>) -> Result<App, String>,
     ) -> Result<Self, String> {
         if let Some(app) = parked.borrow_mut().as_mut() {
-            app.move_to(cc)?;
+            app.move_to_new_device(cc)?;
         }
         let waiting = parked.take();
         waiting.map_or_else(|| create(cc), Ok).map(|app| Self(Some(app)))
@@ -90,7 +90,7 @@ impl App {
     ///
     /// # Errors
     /// If eframe was started without a wgpu device. The app is unchanged then.
-    fn move_to(&mut self, cc: &eframe::CreationContext<'_>) -> Result<(), String> {
+    fn move_to_new_device(&mut self, cc: &eframe::CreationContext<'_>) -> Result<(), String> {
         self.render_state = cc.wgpu_render_state.clone().ok_or(super::NO_WGPU_MESSAGE)?;
         let out_of_memory = self.gpu_errors.is_out_of_memory();
         if out_of_memory {
@@ -105,12 +105,12 @@ impl App {
         ctx.stop_dragging();
         setup::apply_style(&ctx);
         #[cfg(target_arch = "wasm32")]
-        self.screen_readers.move_to(&ctx);
+        self.screen_readers.install_in_context(&ctx);
         self.ctx = ctx;
         // The undo history compares times, and the clock of the new egui context starts at zero: pending changes become
         // a step now.
         self.history.commit(&self.params);
-        self.progress = Progress::default();
+        self.progress = DrawingProgress::default();
         self.frame_measurements = FrameMeasurements::default();
         self.sea_measurement = SeaMeasurement::default();
         if out_of_memory {

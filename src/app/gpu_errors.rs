@@ -14,7 +14,7 @@ struct GpuErrorState {
     lost: Option<String>,
     /// Whether the device is treated as lost because an allocation failed for want of graphics memory.
     out_of_memory: bool,
-    /// Senders that complete the futures of [`GpuErrors::when_lost`] when the device is lost.
+    /// Senders that complete the futures of `GpuErrors::when_lost` when the device is lost.
     loss_senders: Vec<oneshot::Sender<()>>,
 }
 

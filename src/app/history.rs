@@ -6,7 +6,7 @@ use egui::util::undoer::{Settings, Undoer};
 /// Largest number of undo steps that are kept.
 const MAX_UNDO_STEPS: usize = 200;
 /// Time for which a changed parameter must stay constant before the change becomes an undo step, s.
-const STABLE_TIME_S: f32 = 0.4;
+const UNDO_STEP_DELAY_S: f32 = 0.4;
 
 /// The undo history: the parameters after each step, without simulated time and camera.
 pub struct History(Undoer<Params>);
@@ -17,7 +17,7 @@ impl Default for History {
         let max_undos = MAX_UNDO_STEPS + 1;
         Self(Undoer::with_settings(Settings {
             max_undos,
-            stable_time: STABLE_TIME_S,
+            stable_time: UNDO_STEP_DELAY_S,
             auto_save_interval: f32::INFINITY,
         }))
     }
@@ -38,7 +38,7 @@ impl History {
     }
 
     /// Makes an undo step of the changes since the last one at once, without waiting until they have been constant for
-    /// `STABLE_TIME_S`.
+    /// `UNDO_STEP_DELAY_S`.
     pub fn commit(&mut self, params: &Params) {
         let now = self.feed_undoer(params);
         self.0.add_undo(&now);

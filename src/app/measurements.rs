@@ -10,12 +10,12 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// Least time between two read-backs of the wave maps, s.
 const READBACK_INTERVAL_S: f64 = 1.0;
 /// Number of wave-map texels that the CPU Fourier-transforms in one frame; in a browser this takes a few milliseconds.
-const POINTS_PER_FRAME: usize = 1 << 16;
+const TRANSFORMED_TEXELS_PER_FRAME: usize = 1 << 16;
 /// Number of equally wide bins of the spectrum measured in the wave maps, from 0 to `plots::highest_omega`, rad/s.
 const SPECTRUM_BINS: usize = 72;
 /// Weight of the newest frame, 0 to 1, in the moving average of the CPU time that recording a frame's GPU commands
 /// takes.
-const RECORDING_TIME_SMOOTHING: f64 = 0.1;
+const RECORDING_TIME_SMOOTHING_WEIGHT: f64 = 0.1;
 
 /// Flags of the parts of the panel whose numbers are measured only while they are visible. Drawing a part sets its
 /// flag; the next frame reads and clears it.
@@ -23,7 +23,7 @@ const RECORDING_TIME_SMOOTHING: f64 = 0.1;
 pub struct VisibleReadouts {
     /// Whether the panel shows the plot of the height of the sea over time at the first floating object or below the
     /// camera.
-    pub buoy_record: Cell<bool>,
+    pub height_record: Cell<bool>,
     /// Whether the panel shows a plot or table of statistics measured in the GPU's wave maps.
     pub map_statistics: Cell<bool>,
     /// Whether the panel shows the GPU time of each pass of a frame (such as `rows`, `foam` or `mesh`).
@@ -33,10 +33,10 @@ pub struct VisibleReadouts {
 /// Requests for the GPU time of each pass of a frame and for copies of the wave maps, and the results of both. The
 /// app's frame logic shares them with the paint callback, which records the frame's GPU commands.
 #[derive(Clone, Default)]
-pub struct FrameMeasurements(Arc<Mutex<FrameRequests>>);
+pub struct FrameMeasurements(Arc<Mutex<FrameMeasurementState>>);
 
 #[derive(Default)]
-struct FrameRequests {
+struct FrameMeasurementState {
     wants_times: bool,
     /// Serial number of the sea (see [`SeaMeasurement`]) whose wave maps the next frame is to copy for read-back;
     /// `None` without a request.
@@ -54,7 +54,7 @@ struct FrameRequests {
 }
 
 impl FrameMeasurements {
-    fn lock(&self) -> MutexGuard<'_, FrameRequests> {
+    fn lock(&self) -> MutexGuard<'_, FrameMeasurementState> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -79,11 +79,11 @@ impl FrameMeasurements {
         let mut inner = self.lock();
         ocean.timer().end_frame(encoder);
         inner.record_s = if inner.record_s > 0.0 {
-            inner.record_s + RECORDING_TIME_SMOOTHING * (record_s - inner.record_s)
+            inner.record_s + RECORDING_TIME_SMOOTHING_WEIGHT * (record_s - inner.record_s)
         } else {
             record_s
         };
-        inner.passes = ocean.timer().is_available().then(|| ocean.timer().times());
+        inner.passes = ocean.timer().is_available().then(|| ocean.timer().part_times_ms());
         if is_whole && let Some(sea) = inner.wants_map_copies {
             inner.map_copies = ocean.record_map_copies(encoder).map(|probe| (sea, probe));
             inner.wants_map_copies = inner.map_copies.is_none().then_some(sea);
@@ -102,7 +102,7 @@ impl FrameMeasurements {
 
     /// Name and GPU time (ms, smoothed over frames) of each pass of a frame (such as `rows`, `foam` or `mesh`); `None`
     /// before the first frame or if the GPU has no timestamp queries.
-    pub fn passes(&self) -> Option<Vec<(&'static str, f64)>> {
+    pub fn pass_times_ms(&self) -> Option<Vec<(&'static str, f64)>> {
         self.lock().passes.clone()
     }
 }
@@ -145,7 +145,7 @@ impl SeaMeasurement {
 
     /// Number of evaluated read-backs of the current sea's wave maps, each at another simulated time; the statistics
     /// are their means.
-    pub fn readings(&self) -> usize {
+    pub fn reading_count(&self) -> usize {
         self.sums.readings
     }
 
@@ -166,13 +166,13 @@ impl SeaMeasurement {
 
     /// Foam coverage, 0 to 1: mean over all cells of the GPU's foam map, nested squares around the camera, before the
     /// user's factor on the visible foam. `None` before the first reading.
-    pub fn coverage(&self) -> Option<f64> {
+    pub fn foam_coverage(&self) -> Option<f64> {
         self.mean(self.sums.coverage)
     }
 
     /// Frequency spectrum measured in the GPU's wave maps: width of a bin, rad/s, and mean variance density S(omega) in
     /// each bin, m^2 s. The first bin begins at frequency 0. `None` before the first reading.
-    pub fn spectrum(&self) -> Option<(f64, Vec<f64>)> {
+    pub fn bin_width_and_spectrum(&self) -> Option<(f64, Vec<f64>)> {
         let width = self.sums.width_rad_s;
         let unit = self.mean(1.0)? / width;
         Some((width, self.sums.bin_variances_m2.iter().map(|sum| sum * unit).collect()))
@@ -201,7 +201,7 @@ impl App {
 
     /// Continues the measurement of the wave maps: takes finished read-backs, Fourier-transforms a part of one, and
     /// requests another while the panel shows the results.
-    pub(super) fn measure(&mut self, ctx: &egui::Context) {
+    pub(super) fn advance_sea_measurement(&mut self, ctx: &egui::Context) {
         self.start_map_readback(ctx);
         let width = plots::highest_omega(&self.derived.plan) / SPECTRUM_BINS as f64;
         let measurement = &mut self.sea_measurement;
@@ -226,7 +226,7 @@ impl App {
         if let Some((mut pending_analysis, probed)) = measurement.pending_analysis.take() {
             ctx.request_repaint();
             match pending_analysis
-                .advance(&probed.plan, POINTS_PER_FRAME, |cascade, z| probed.heights_in_row(cascade, z))
+                .advance(&probed.plan, TRANSFORMED_TEXELS_PER_FRAME, |cascade, z| probed.heights_in_row(cascade, z))
             {
                 Some(found) => measurement.add_reading(&probed, found, width),
                 None => measurement.pending_analysis = Some((pending_analysis, probed)),

@@ -34,7 +34,7 @@ use crate::point::buoy_record::BuoyRecord;
 use crate::state::look::SkyFile;
 use crate::state::{Params, floats, query, rounding};
 use crate::waves::SeaChange;
-use derived::Derived;
+use derived::DerivedSeaData;
 use gpu_errors::GpuErrors;
 
 /// Upper limit of the wall-clock time by which one frame advances the clock, s. It prevents a jump of the simulated
@@ -48,7 +48,7 @@ pub struct App {
     params: Params,
     /// Messages about parts of a state string or of a file that could not be used. The panel shows them.
     notices: Vec<String>,
-    derived: Derived,
+    derived: DerivedSeaData,
     render_state: egui_wgpu::RenderState,
     ctx: egui::Context,
     gpu_errors: GpuErrors,
@@ -58,13 +58,13 @@ pub struct App {
     panel: panel::Panel,
     own_seas: panel::OwnSeas,
     history: history::History,
-    quality: quality::Quality,
+    quality: quality::AdaptiveQuality,
     /// Whether the help window with the keyboard shortcuts is open.
     help_is_open: bool,
     message: Option<message::Message>,
     /// Camera, with the time of a stopped clock, as it was last rounded to a link's digits or opened from a link. It is
     /// rounded again only after a change.
-    rounded_pose: Option<rounding::CameraPose>,
+    rounded_pose: Option<rounding::CameraAndPausedTime>,
     /// Parameters of the last drawn picture, and its width and height in pixels; `None` before the first one.
     drawn: Option<(Params, [u32; 2])>,
     /// Record of the height of the sea, m above still water, at the first floating object, else below the camera.
@@ -76,7 +76,7 @@ pub struct App {
     save_results: tasks::Inbox<Result<String, String>>,
     /// The sky image file that was read last. It is used again when an opened link names the same file.
     sky: Option<SkyFile>,
-    progress: viewport::Progress,
+    progress: viewport::DrawingProgress,
     frame_measurements: measurements::FrameMeasurements,
     sea_measurement: measurements::SeaMeasurement,
     visible_readouts: measurements::VisibleReadouts,
@@ -108,7 +108,8 @@ impl App {
         let (mut params, notices) = query::parse(state);
         params.look.sky.adopt_loaded_image(sky.as_ref());
         let own_seas = panel::OwnSeas::load();
-        let quality = quality::Quality::for_adapter(render_state.adapter.get_info().device_type, params.clock.paused);
+        let quality =
+            quality::AdaptiveQuality::for_adapter(render_state.adapter.get_info().device_type, params.clock.paused);
         let grid = quality.reduced_grid(&params.grid, &params.screen);
         let gpu_errors = device_loss::create_ocean(&render_state, &Params { grid, ..params.clone() });
         setup::apply_style(&cc.egui_ctx);
@@ -117,7 +118,7 @@ impl App {
         #[cfg(target_arch = "wasm32")]
         cc.egui_ctx.add_plugin(screen_readers.clone());
         Ok(Self {
-            derived: Derived::new(&params),
+            derived: DerivedSeaData::new(&params),
             notices: [notices, own_seas.notices()].concat(),
             render_state,
             ctx: cc.egui_ctx.clone(),
@@ -137,7 +138,7 @@ impl App {
             save_folder: None,
             save_results: tasks::Inbox::default(),
             sky: sky.filter(|s| s.image.is_some()),
-            progress: viewport::Progress::default(),
+            progress: viewport::DrawingProgress::default(),
             frame_measurements: measurements::FrameMeasurements::default(),
             sea_measurement: measurements::SeaMeasurement::default(),
             visible_readouts: measurements::VisibleReadouts::default(),
@@ -191,7 +192,7 @@ impl App {
     /// loss, the foam has reached the present, and no cross-fade is in progress. Also requests one more frame.
     pub fn is_picture_complete(&self) -> bool {
         self.ctx.request_repaint();
-        self.progress.has_first_picture() && !self.progress.is_catching_up()
+        self.progress.has_first_picture() && !self.progress.is_replaying_foam_or_fading()
     }
 
     /// The reason why the GPU device was lost; `None` while it works.
@@ -236,7 +237,7 @@ impl App {
 
     /// If the parameters of the sea or the FFT grid have changed, recomputes the plan, the statistics and the plot
     /// data, and discards what was measured in the old sea.
-    fn update_derived(&mut self) {
+    fn update_derived_sea_data(&mut self) {
         let Some(change) = self.derived.update(&self.params) else { return };
         if change > SeaChange::Foam {
             self.record.clear();
@@ -268,9 +269,9 @@ impl eframe::App for App {
         self.take_opened_files(&ctx);
         self.take_save_results();
         self.watch_history(&ctx);
-        self.update_derived();
+        self.update_derived_sea_data();
         self.extend_height_record();
-        self.measure(&ctx);
+        self.advance_sea_measurement(&ctx);
         if !self.progress.is_first_picture_pending() {
             let dt = f64::from(ctx.input(|i| i.unstable_dt));
             self.quality.adapt(dt, self.params.clock.paused, self.params.screen.adaptive);
@@ -296,7 +297,7 @@ impl eframe::App for App {
         if self.progress.wants_frame() {
             ctx.request_repaint();
         }
-        self.round_when_idle(&ctx);
+        self.round_pose_when_idle(&ctx);
         self.frames += 1;
     }
 }

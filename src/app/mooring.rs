@@ -8,7 +8,7 @@ use crate::state::floats::{self, FloatingObject};
 const MAX_FLOATING_OBJECT_DISTANCE_M: f64 = 3000.0;
 /// Number of iterations that find where a line of sight meets the waves. Each intersects the line with the horizontal
 /// plane at the height of the water at the point found before.
-const RAY_STEPS: usize = 8;
+const WATER_INTERSECTION_ITERATIONS: usize = 8;
 
 impl App {
     /// Places a buoy at the pointer when B is pressed, or, after a choice in the panel, a buoy or boat where the sea is
@@ -29,12 +29,12 @@ impl App {
             self.show_brief_message("There is no water there.");
             return;
         };
-        if self.params.floats.len() >= floats::MAX_FLOATING_OBJECTS {
+        if self.params.floating_objects.len() >= floats::MAX_FLOATING_OBJECTS {
             self.show_brief_message("There is no room for more.");
             return;
         }
         let round = |x: f64| (10.0 * x).round() / 10.0;
-        self.params.floats.push(FloatingObject { kind, x_m: round(x_m), z_m: round(z_m) });
+        self.params.floating_objects.push(FloatingObject { kind, x_m: round(x_m), z_m: round(z_m) });
     }
 
     /// The position on the sea, m east and south, seen at the point `at` of the window; `rect` is the area that shows
@@ -47,7 +47,7 @@ impl App {
         let ray = view.ray(f64::from(to.x), -f64::from(to.y));
         let mut height_m = self.params.sea.still_water_level_m;
         let mut place = None;
-        for _ in 0..RAY_STEPS {
+        for _ in 0..WATER_INTERSECTION_ITERATIONS {
             let distance = (height_m - camera.y_m) / ray.y;
             if !(ray.y < -1e-3 && distance < MAX_FLOATING_OBJECT_DISTANCE_M) {
                 return place;

@@ -7,15 +7,15 @@ const SLOW_FRAME_S: f64 = 1.0 / 40.0;
 /// Wall-clock time per frame below which a higher quality is tried, s. A screen of 60 Hz takes 1/60 s per frame.
 const FAST_FRAME_S: f64 = 1.0 / 55.0;
 /// Lowest factor by which adaptive quality scales the picture's width and height on a hardware GPU.
-const MIN_SCALE: f64 = 0.4;
+const MIN_RESOLUTION_SCALE: f64 = 0.4;
 /// Initial factor, and lower limit, of the picture's width and height on a software adapter, which draws on the CPU and
 /// takes seconds per frame.
-const SOFTWARE_ADAPTER_SCALE: f64 = 0.25;
+const SOFTWARE_ADAPTER_RESOLUTION_SCALE: f64 = 0.25;
 /// Smallest FFT size to which slow frames reduce a cascade. A smaller one would leave wave numbers in no cascade.
 const MIN_FFT_SIZE: u32 = 128;
 /// Factor by which each odd-numbered out-of-memory error (the first, the third, ...) scales the picture's width and
 /// height. Each even-numbered one halves the FFT size.
-const OUT_OF_MEMORY_SCALE: f64 = 0.7;
+const OUT_OF_MEMORY_RESOLUTION_FACTOR: f64 = 0.7;
 /// Smallest FFT size to which out-of-memory errors reduce a cascade.
 const OUT_OF_MEMORY_MIN_FFT_SIZE: u32 = 64;
 /// Time for which frames must be too slow before the quality is lowered, s.
@@ -30,13 +30,14 @@ const STALL_S: f64 = 4.0;
 
 /// Controller that lowers and raises the picture's resolution and the FFT size, according to the frame time and to
 /// out-of-memory errors.
-pub struct Quality {
+pub struct AdaptiveQuality {
     /// Moving average of the wall-clock time from one frame to the next, s.
     frame_s: f64,
     /// Factor, at most 1, by which adaptive quality scales the width and height of the picture that the user's settings
     /// ask for.
     scale: f64,
-    /// Lower limit of `scale`: [`MIN_SCALE`], or [`SOFTWARE_ADAPTER_SCALE`] on a software adapter.
+    /// Lower limit of `scale`: [`MIN_RESOLUTION_SCALE`], or [`SOFTWARE_ADAPTER_RESOLUTION_SCALE`] on a software
+    /// adapter.
     min_scale: f64,
     /// How often adaptive quality halves the requested FFT size: 0 for the full size, at most 3.
     halvings: u32,
@@ -55,15 +56,15 @@ pub struct Quality {
     time_is_stopped: bool,
 }
 
-impl Quality {
+impl AdaptiveQuality {
     /// Creates the controller with the initial quality for a kind of adapter. `time_is_stopped`: whether simulated time
     /// is stopped.
     pub fn for_adapter(kind: wgpu::DeviceType, time_is_stopped: bool) -> Self {
         let is_cpu = kind == wgpu::DeviceType::Cpu;
         Self {
             frame_s: 1.0 / 60.0,
-            scale: if is_cpu { SOFTWARE_ADAPTER_SCALE } else { 1.0 },
-            min_scale: if is_cpu { SOFTWARE_ADAPTER_SCALE } else { MIN_SCALE },
+            scale: if is_cpu { SOFTWARE_ADAPTER_RESOLUTION_SCALE } else { 1.0 },
+            min_scale: if is_cpu { SOFTWARE_ADAPTER_RESOLUTION_SCALE } else { MIN_RESOLUTION_SCALE },
             halvings: u32::from(is_cpu),
             was_stall: false,
             slow_or_fast_time_s: 0.0,
@@ -125,18 +126,18 @@ impl Quality {
         self.out_of_memory_errors += 1;
     }
 
-    /// Factor of the picture's width and height that memory allows: 1, reduced by each odd-numbered out-of-memory
-    /// error.
-    fn memory_scale_limit(&self) -> f64 {
-        OUT_OF_MEMORY_SCALE.powi(self.out_of_memory_errors.div_ceil(2) as i32)
+    /// Largest factor on the picture's width and height that graphics memory allows: 1, multiplied by 0.7 at the first,
+    /// third, fifth... out-of-memory error. Those between halve the FFT size instead.
+    fn resolution_scale_for_memory(&self) -> f64 {
+        OUT_OF_MEMORY_RESOLUTION_FACTOR.powi(self.out_of_memory_errors.div_ceil(2) as i32)
     }
 
     /// Width and height of the picture in pixels at the current quality. `points` are width and height of the area that
     /// shows the sea, points; `screen`: the user's resolution; `limit`: the GPU's largest texture side, pixels.
     pub fn picture_size(&self, points: egui::Vec2, pixels_per_point: f32, screen: &Screen, limit: u32) -> [u32; 2] {
         let density = f64::from(pixels_per_point).min(screen.max_pixel_ratio) * screen.render_scale;
-        let own =
-            if self.time_is_stopped || !screen.adaptive { 1.0 } else { self.scale }.min(self.memory_scale_limit());
+        let own = if self.time_is_stopped || !screen.adaptive { 1.0 } else { self.scale }
+            .min(self.resolution_scale_for_memory());
         [points.x, points.y].map(|side| ((f64::from(side) * density * own).round() as u32).min(limit))
     }
 
@@ -167,7 +168,7 @@ impl Quality {
     /// Describes the picture quality for a bug report: "full quality" or, say, "50 % of the pixels, to keep up".
     pub fn describe(&self) -> String {
         if self.out_of_memory_errors > 0 {
-            let scale = self.memory_scale_limit().min(if self.time_is_stopped { 1.0 } else { self.scale });
+            let scale = self.resolution_scale_for_memory().min(if self.time_is_stopped { 1.0 } else { self.scale });
             return format!("{:.0} % of the pixels, for want of graphics memory", 100.0 * scale * scale);
         }
         if self.time_is_stopped || self.scale >= 1.0 && self.halvings == 0 {
@@ -182,7 +183,7 @@ mod tests {
     use super::*;
 
     /// Simulates some seconds of frames whose frame time depends on the quality.
-    fn run(quality: &mut Quality, seconds: f64, frame_s: impl Fn(&Quality) -> f64) {
+    fn run(quality: &mut AdaptiveQuality, seconds: f64, frame_s: impl Fn(&AdaptiveQuality) -> f64) {
         let mut t = 0.0;
         while t < seconds {
             let dt = frame_s(quality);
@@ -193,7 +194,7 @@ mod tests {
 
     #[test]
     fn slow_frames_cost_pixels_and_fast_ones_bring_them_back() {
-        let mut quality = Quality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
+        let mut quality = AdaptiveQuality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
         let screen = Screen::default();
         let points = egui::vec2(1000.0, 500.0);
         run(&mut quality, 1.0, |_| 1.0 / 60.0);
@@ -208,7 +209,7 @@ mod tests {
 
     #[test]
     fn what_stands_still_and_what_may_not_adapt_is_whole() {
-        let mut quality = Quality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
+        let mut quality = AdaptiveQuality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
         let points = egui::vec2(1000.0, 500.0);
         run(&mut quality, 20.0, |_| 0.3);
         let mut screen = Screen::default();
@@ -226,7 +227,7 @@ mod tests {
 
     #[test]
     fn refused_memory_costs_pixels_and_points_even_of_a_still() {
-        let mut quality = Quality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
+        let mut quality = AdaptiveQuality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
         let screen = Screen { adaptive: false, ..Screen::default() };
         let points = egui::vec2(1000.0, 500.0);
         let grid = Grid { n: 256, ..Grid::default() };
@@ -242,9 +243,9 @@ mod tests {
 
     #[test]
     fn trials_that_fail_become_rare() {
-        let mut quality = Quality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
+        let mut quality = AdaptiveQuality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
         // The full resolution is slow, and 0.93 of it is fast.
-        let frame = |q: &Quality| if q.scale > 0.93 { 0.03 } else { 1.0 / 60.0 };
+        let frame = |q: &AdaptiveQuality| if q.scale > 0.93 { 0.03 } else { 1.0 / 60.0 };
         run(&mut quality, 400.0, frame);
         assert!(quality.fast_time_before_trial_s >= 24.0, "{}", quality.fast_time_before_trial_s);
     }

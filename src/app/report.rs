@@ -27,7 +27,7 @@ impl App {
     pub fn report_text(&self) -> String {
         let mut lines: Vec<String> =
             self.system_information().iter().map(|(name, value)| format!("{name}: {value}")).collect();
-        for (pass, ms) in self.frame_measurements.passes().unwrap_or_default() {
+        for (pass, ms) in self.frame_measurements.pass_times_ms().unwrap_or_default() {
             lines.push(format!("pass {pass}: {ms:.2} ms"));
         }
         lines.extend(self.errors().iter().map(|error| format!("error: {error}")));

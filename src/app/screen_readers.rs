@@ -50,7 +50,7 @@ impl ScreenReaders {
 
     /// Installs the plugin in `ctx`, the new egui context after a device loss, and switches its accessibility tree on
     /// if it was in use before.
-    pub fn move_to(&self, ctx: &egui::Context) {
+    pub fn install_in_context(&self, ctx: &egui::Context) {
         ctx.add_plugin(self.clone());
         if self.lock().tree.is_some() {
             ctx.enable_accesskit();
@@ -133,12 +133,12 @@ fn items(update: &TreeUpdate) -> Vec<AccessibleItem> {
     while let Some(id) = waiting.pop() {
         let Some(node) = nodes.get(&id) else { continue };
         waiting.extend(node.children().iter().rev());
-        items.extend(item(id, node, &nodes));
+        items.extend(accessible_item(id, node, &nodes));
     }
     items
 }
 
-fn item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<AccessibleItem> {
+fn accessible_item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> Option<AccessibleItem> {
     let by = || nodes.get(node.labelled_by().first()?).and_then(|by| by.label().or(by.value()));
     let label = node.label().or_else(by).unwrap_or_default().to_owned();
     let value = node.value().unwrap_or_default().to_owned();

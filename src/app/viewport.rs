@@ -13,14 +13,14 @@ use web_time::Instant;
 /// on earlier waves. It applies to FFT sizes from 256; smaller sizes allow more.
 const FOAM_STEPS_PER_FRAME: usize = 6;
 /// Number of foam time steps of the past that one frame computes on a software adapter, for FFT sizes from 256.
-const CPU_FOAM_STEPS_PER_FRAME: usize = 1;
+const SOFTWARE_ADAPTER_FOAM_STEPS_PER_FRAME: usize = 1;
 /// Upper limit of the wall-clock time by which one frame advances a cross-fade between two seas, s.
 const MAX_FADE_STEP_S: f64 = 0.1;
 
 /// Flags about the first picture, the replay of past foam and the cross-fade on one GPU device. The paint callback sets
 /// them; the app reads them.
 #[derive(Clone, Default)]
-pub struct Progress(Arc<ProgressFlags>);
+pub struct DrawingProgress(Arc<ProgressFlags>);
 
 #[derive(Default)]
 struct ProgressFlags {
@@ -34,15 +34,15 @@ struct ProgressFlags {
     finished: AtomicBool,
 }
 
-impl Progress {
+impl DrawingProgress {
     /// Whether another frame is needed even while simulated time is stopped: the first picture, the replay of past foam
     /// or a cross-fade is unfinished.
     pub fn wants_frame(&self) -> bool {
-        self.is_catching_up() || !self.has_first_picture()
+        self.is_replaying_foam_or_fading() || !self.has_first_picture()
     }
 
     /// Whether foam steps of earlier times are still being computed, or a cross-fade between two seas is in progress.
-    pub fn is_catching_up(&self) -> bool {
+    pub fn is_replaying_foam_or_fading(&self) -> bool {
         self.0.catching_up.load(Ordering::Relaxed)
     }
 
@@ -71,7 +71,7 @@ impl Progress {
 pub fn show_sea(
     ui: &mut egui::Ui,
     params: &Params,
-    (progress, measurements): (&Progress, &FrameMeasurements),
+    (progress, measurements): (&DrawingProgress, &FrameMeasurements),
     sense: egui::Sense,
     pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
 ) -> (egui::Response, [u32; 2]) {
@@ -90,7 +90,7 @@ pub fn show_sea(
 }
 
 fn foam_steps_per_frame(gpu: &Gpu, n: u32) -> usize {
-    let most = if gpu.is_software() { CPU_FOAM_STEPS_PER_FRAME } else { FOAM_STEPS_PER_FRAME };
+    let most = if gpu.is_software() { SOFTWARE_ADAPTER_FOAM_STEPS_PER_FRAME } else { FOAM_STEPS_PER_FRAME };
     most * (256 / n).max(1).pow(2) as usize
 }
 
@@ -99,7 +99,7 @@ fn foam_steps_per_frame(gpu: &Gpu, n: u32) -> usize {
 struct SeaFrame {
     params: Params,
     size: [u32; 2],
-    progress: Progress,
+    progress: DrawingProgress,
     measurements: FrameMeasurements,
     /// Wall-clock time since the last frame, at most [`MAX_FADE_STEP_S`], s. A cross-fade advances by it.
     dt_s: f64,

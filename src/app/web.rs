@@ -77,29 +77,29 @@ impl WebHandle {
 
     /// The current parameters as a state string; empty if the app does not run.
     pub fn state(&self) -> String {
-        self.with(|app| app.state()).unwrap_or_default()
+        self.with_app(|app| app.state()).unwrap_or_default()
     }
 
     /// Replaces all parameters by those of a state string. Keys that are missing there get their default values.
     pub fn set_state(&self, state: &str) {
-        self.with(|app| app.set_state(state));
+        self.with_app(|app| app.set_state(state));
     }
 
     /// Number of frames that the app has laid out and painted since it was created, also while simulated time is
     /// stopped.
     pub fn frames(&self) -> f64 {
-        self.with(|app| app.frames() as f64).unwrap_or_default()
+        self.with_app(|app| app.frames() as f64).unwrap_or_default()
     }
 
     /// Whether the GPU has finished the first picture since the start or since the last device loss.
     pub fn has_first_picture(&self) -> bool {
-        self.with(|app| app.has_first_picture()).unwrap_or_default()
+        self.with_app(|app| app.has_first_picture()).unwrap_or_default()
     }
 
     /// Requests one more frame. Returns whether the picture is complete: the GPU has finished the first one, all past
     /// foam steps are computed, and no cross-fade between two seas is in progress.
     pub fn is_picture_complete(&self) -> bool {
-        self.with(|app| app.is_picture_complete()).unwrap_or_default()
+        self.with_app(|app| app.is_picture_complete()).unwrap_or_default()
     }
 
     /// Bounds of the widget with the given label, in points: x and y of the top left corner, width, height; `None` if
@@ -120,13 +120,13 @@ impl WebHandle {
 
     /// One line for screen readers: wave height, Beaufort number and the current message.
     pub fn announcement(&self) -> String {
-        self.with(|app| app.announcement()).unwrap_or_default()
+        self.with_app(|app| app.announcement()).unwrap_or_default()
     }
 
     /// Applies a screen reader's action to the widget with the given `id`: `click`, `focus`, `more` or `less` (one step
     /// of its value), `set` (to the number `value`) or `type` (enters the string `text` and confirms it).
     pub fn perform_widget_action(&self, id: &str, action: &str, value: f64, text: &str) {
-        self.with(|app| app.screen_readers.perform_widget_action(&app.ctx, id, action, value, text));
+        self.with_app(|app| app.screen_readers.perform_widget_action(&app.ctx, id, action, value, text));
     }
 
     /// The reason why the GPU device was lost; `None` while it works.
@@ -141,7 +141,7 @@ impl WebHandle {
     /// # Errors
     /// If the app does not run, or reading back from the GPU fails.
     pub async fn read_back(&self, state: String) -> Result<JsValue, JsValue> {
-        let render_state = self.with(|app| app.render_state().clone()).ok_or("the program is not running")?;
+        let render_state = self.with_app(|app| app.render_state().clone()).ok_or("the program is not running")?;
         let gpu = Gpu { device: render_state.device, queue: render_state.queue };
         let (params, _) = query::parse(&state);
         let mut ocean = Ocean::without_renderer(&gpu, &params);
@@ -171,7 +171,12 @@ impl WebHandle {
     pub async fn bench(&self, state: String, repeat: u32, progress: js_sys::Function) -> Result<JsValue, JsValue> {
         let gpu = Gpu::request().await?;
         let errors = GpuErrors::watch(&gpu.device);
-        let options = BenchOptions { sizes: vec![[1280, 720]], repeat, matrix: false, baseline: true };
+        let options = BenchOptions {
+            picture_sizes_px: vec![[1280, 720]],
+            submissions_per_measurement: repeat,
+            matrix: false,
+            baseline: true,
+        };
         // An exception thrown by `progress` is ignored.
         let tell = |what: &str| drop(progress.call1(&JsValue::NULL, &what.into()));
         let report = bench::run(&gpu, &query::parse(&state).0, &options, tell).await?;
@@ -184,10 +189,10 @@ impl WebHandle {
     }
 
     fn items(&self) -> Vec<AccessibleItem> {
-        self.with(|app| app.screen_readers.items(&app.ctx)).unwrap_or_default()
+        self.with_app(|app| app.screen_readers.items(&app.ctx)).unwrap_or_default()
     }
 
-    fn with<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
+    fn with_app<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
         if let Some(app) = self.parked.borrow_mut().as_mut() {
             return Some(f(app));
         }
@@ -209,11 +214,11 @@ fn js_object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
 fn pass_timing_object(row: &PassTiming) -> JsValue {
     js_object([
         ("pass", row.pass.into()),
-        ("n", row.sea_size.map(|[n, _]| n).into()),
-        ("cascades", row.sea_size.map(|[_, cascades]| cascades).into()),
+        ("n", row.fft_size_and_cascades.map(|[n, _]| n).into()),
+        ("cascades", row.fft_size_and_cascades.map(|[_, cascades]| cascades).into()),
         ("width", row.picture_size.map(|[width, _]| width).into()),
         ("height", row.picture_size.map(|[_, height]| height).into()),
-        ("ms", row.timing.representative_ms().into()),
+        ("ms", row.timing.gpu_or_median_wall_ms().into()),
     ])
 }
 

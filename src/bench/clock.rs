@@ -8,7 +8,7 @@ use web_time::Instant;
 /// Least intended duration of a timed submission, ms. Shorter work is repeated, so that overheads count little.
 const MIN_SUBMISSION_MS: f64 = 10.0;
 /// Largest number of times that short work is repeated within one submission, to reach `MIN_SUBMISSION_MS`.
-const MAX_REPETITIONS: u32 = 64;
+const MAX_REPETITIONS_PER_SUBMISSION: u32 = 64;
 
 /// Measured times of a piece of GPU work, ms: of doing it once, even if it was repeated for the measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ pub struct Timing {
 
 impl Timing {
     /// The time to report for doing the work once, ms: the GPU time if known, else the median wall time to completion.
-    pub fn representative_ms(&self) -> f64 {
+    pub fn gpu_or_median_wall_ms(&self) -> f64 {
         self.gpu_ms.unwrap_or(self.wall_percentiles_ms[1])
     }
 }
@@ -37,7 +37,7 @@ impl Timing {
 /// Whether the device has timestamps that tell when commands execute. A software adapter writes them when it receives
 /// the commands, before it executes them.
 fn do_timestamps_measure_execution(gpu: &Gpu) -> bool {
-    !gpu.is_software() && gpu.device.features().contains(timer::TIMESTAMPS)
+    !gpu.is_software() && gpu.device.features().contains(timer::TIMESTAMP_FEATURE)
 }
 
 /// Measures how long GPU work takes on a device: by timestamps if it has them, by wall time, and by CPU time.
@@ -46,9 +46,9 @@ pub struct Stopwatch<'a> {
     pub gpu: &'a Gpu,
     stamps: Option<TimestampQueries>,
     /// Number of submissions that are timed for each piece of work, after a warm-up.
-    pub repeat: u32,
+    pub submissions_per_measurement: u32,
     /// Largest number of times that short work is repeated within one submission, to make it last 10 ms.
-    pub max_repetitions: u32,
+    pub max_repetitions_per_submission: u32,
 }
 
 struct TimestampQueries {
@@ -72,7 +72,7 @@ impl TimestampQueries {
                 wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
             ),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
-            between_passes: gpu.device.features().contains(timer::TIMESTAMPS_BETWEEN_PASSES),
+            between_passes: gpu.device.features().contains(timer::TIMESTAMPS_BETWEEN_PASSES_FEATURE),
         })
     }
 
@@ -84,7 +84,7 @@ impl TimestampQueries {
             encoder.write_timestamp(&self.set, at);
             encoder.write_timestamp(&self.set, at + 1);
         } else {
-            timer::stamp_pass(encoder, &self.set, at);
+            timer::record_timestamp_pass(encoder, &self.set, at);
         }
     }
 
@@ -99,7 +99,12 @@ impl TimestampQueries {
 impl<'a> Stopwatch<'a> {
     /// Creates a stopwatch that submits each piece of work to be measured `repeat` times and times each submission.
     pub fn new(gpu: &'a Gpu, repeat: u32) -> Self {
-        Self { gpu, stamps: TimestampQueries::new(gpu), repeat: repeat.max(1), max_repetitions: MAX_REPETITIONS }
+        Self {
+            gpu,
+            stamps: TimestampQueries::new(gpu),
+            submissions_per_measurement: repeat.max(1),
+            max_repetitions_per_submission: MAX_REPETITIONS_PER_SUBMISSION,
+        }
     }
 
     /// Whether [`Self::measure`] gets GPU times from timestamps, besides wall times.
@@ -119,7 +124,7 @@ impl<'a> Stopwatch<'a> {
     pub async fn measure(&self, mut record: impl FnMut(u32, &mut wgpu::CommandEncoder)) -> Result<Timing, String> {
         let mut calls = 0;
         let mut submit = async |times: u32| -> Result<(f64, Option<f64>, Option<f64>), String> {
-            let (start, spent) = (Instant::now(), cpu_ms());
+            let (start, spent) = (Instant::now(), process_cpu_time_ms());
             let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             self.stamps.iter().for_each(|s| s.write_timestamps(&mut encoder, false));
             for _ in 0..times {
@@ -134,7 +139,7 @@ impl<'a> Stopwatch<'a> {
             self.gpu.submit(encoder);
             readback::wait_for_submitted_work(self.gpu).await?;
             let ms = 1e3 * start.elapsed().as_secs_f64() / f64::from(times);
-            let cpu = cpu_ms().zip(spent).map(|(after, before)| (after - before) / f64::from(times));
+            let cpu = process_cpu_time_ms().zip(spent).map(|(after, before)| (after - before) / f64::from(times));
             let gpu = match (&self.stamps, staged) {
                 (Some(stamps), Some(staged)) => Some(stamps.read(self.gpu, staged).await? / f64::from(times)),
                 _ => None,
@@ -144,9 +149,9 @@ impl<'a> Stopwatch<'a> {
         // Warm-up: drivers compile pipelines and clear buffers at their first use.
         submit(1).await?;
         let once = submit(1).await?.0;
-        let times = ((MIN_SUBMISSION_MS / once.max(1e-3)).ceil() as u32).clamp(1, self.max_repetitions);
+        let times = ((MIN_SUBMISSION_MS / once.max(1e-3)).ceil() as u32).clamp(1, self.max_repetitions_per_submission);
         let (mut waits, mut stamps, mut least_cpu) = (Vec::new(), Vec::new(), None);
-        for _ in 0..self.repeat {
+        for _ in 0..self.submissions_per_measurement {
             let (wait, gpu, cpu) = submit(times).await?;
             waits.push(wait);
             stamps.extend(gpu);
@@ -164,7 +169,7 @@ impl<'a> Stopwatch<'a> {
 }
 
 /// CPU time that all threads of this process have used so far, ms. `None` where Linux's schedstat files are missing.
-fn cpu_ms() -> Option<f64> {
+fn process_cpu_time_ms() -> Option<f64> {
     let threads = std::fs::read_dir("/proc/self/task").ok()?;
     let spent = |thread: std::fs::DirEntry| -> Option<f64> {
         let text = std::fs::read_to_string(thread.path().join("schedstat")).ok()?;

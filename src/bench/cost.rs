@@ -2,8 +2,8 @@
 //! can make a pass cheaper.
 
 use crate::gpu::map_format::MapFormat;
-use crate::ocean::FOAM_LEVELS;
-use crate::waves::tiling::MEAN_COPIES;
+use crate::ocean::FOAM_LEVEL_COUNT;
+use crate::waves::tiling::MEAN_BLENDED_COPIES;
 
 /// Minimum memory traffic and arithmetic of one pass, or of several together: no GPU can do with less.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -36,40 +36,42 @@ fn fft_flops_per_point(n: u32) -> f64 {
 /// Cost of the row pass for FFT size `n`: the waves at a time and their FFT along x. Bytes per point: the amplitudes h0
 /// of a wave and of the opposite one at time 0 (16), an eighth of an entry of `Maps::wave_table`, which eight waves
 /// share (1), four complex results (32). Software adapters share some work between two rows; it counts in full here.
-pub fn rows(n: u32, cascades: u32) -> Cost {
+pub fn row_pass_cost(n: u32, cascades: u32) -> Cost {
     cost_of_texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + fft_flops_per_point(n))
 }
 
 /// Cost of the column pass for FFT size `n`: FFT along z, and writing of the maps. Bytes per point: four complex inputs
 /// (32), a texel of the displacement map and one of the gradient map.
-pub fn columns(n: u32, cascades: u32, maps: MapFormat) -> Cost {
+pub fn column_pass_cost(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes_per_texel()), fft_flops_per_point(n))
 }
 
 /// Cost of the row pass and the column pass together, which compute the waves' maps by an FFT.
-pub fn waves(n: u32, cascades: u32, maps: MapFormat) -> Cost {
-    rows(n, cascades) + columns(n, cascades, maps)
+pub fn row_and_column_pass_cost(n: u32, cascades: u32, maps: MapFormat) -> Cost {
+    row_pass_cost(n, cascades) + column_pass_cost(n, cascades, maps)
 }
 
 /// Minimum cost of the mip pass. Per texel of mip level 0, a texel of the displacement and of the gradient map is read,
 /// and a third of three texels is written (all smaller levels of these two and of the slope moments). A texel of the
 /// three written maps together takes 4 x 14 operations: sums over eleven channels, and three products of slopes.
-pub fn mips(n: u32, cascades: u32, maps: MapFormat) -> Cost {
+pub fn mip_pass_cost(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, 3.0 * f64::from(maps.bytes_per_texel()), 4.0 * 14.0 / 3.0)
 }
 
 /// Cost of the foam pass. Bytes per foam cell: its foam read and written (8), a texel of the foam map written, and four
 /// texels each of displacement and gradient map read for every cascade and blended, shifted copy of the cascade's
 /// patch (`MEAN_COPIES` on average). Operations include weighting and blending of these texels.
-pub fn foam(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
-    let (samples, texel) = (f64::from(cascades) * MEAN_COPIES, f64::from(maps.bytes_per_texel()));
+pub fn foam_pass_cost(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
+    let (samples, texel) = (f64::from(cascades) * MEAN_BLENDED_COPIES, f64::from(maps.bytes_per_texel()));
     let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;
-    cost_of_texels(foam_n, FOAM_LEVELS as u32, 8.0 + texel + 8.0 * texel * samples, flops)
+    cost_of_texels(foam_n, FOAM_LEVEL_COUNT as u32, 8.0 + texel + 8.0 * texel * samples, flops)
 }
 
 /// Cost of simulating one frame (waves, mip levels, foam): FFT size `n`, foam levels of `foam_n` x `foam_n` cells.
-pub fn step(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
-    waves(n, cascades, maps) + mips(n, cascades, maps) + foam(foam_n, cascades, maps)
+pub fn simulation_step_cost(n: u32, foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
+    row_and_column_pass_cost(n, cascades, maps)
+        + mip_pass_cost(n, cascades, maps)
+        + foam_pass_cost(foam_n, cascades, maps)
 }
 
 /// Operations and texture reads of a shader per vertex or pixel, with all features of the default picture. A root,
@@ -111,7 +113,7 @@ pub struct PictureContents {
 impl PictureContents {
     /// Minimum cost of drawing the sea mesh to the G-buffer. Bytes: 120 per vertex (written, read, and six indices of
     /// triangle corners); displacement and gradient maps once; surface data (32) and depth (4) per sea pixel.
-    pub fn mesh(&self) -> Cost {
+    pub fn mesh_cost(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         Cost {
             bytes: 120.0 * self.vertices + 36.0 * seen + 2.0 * self.map_bytes,
@@ -122,20 +124,20 @@ impl PictureContents {
 
     /// Minimum cost of drawing and lighting the sea mesh. Lighting a sea pixel reads its surface data (32 bytes) and
     /// depth (4), and writes its light (8). The maps (displacement, gradients, slope moments) are read once.
-    pub fn water(&self) -> Cost {
+    pub fn water_cost(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT_COST.flops * seen };
-        self.mesh() + light
+        self.mesh_cost() + light
     }
 
     /// Cost of drawing the sky: a sky pixel writes its light (8 bytes) and reads its depth (4).
-    pub fn background(&self) -> Cost {
+    pub fn background_cost(&self) -> Cost {
         let seen = self.pixels * (1.0 - self.sea_fraction);
         Cost { bytes: 12.0 * seen, flops: BACKGROUND_FRAGMENT_COST.flops * seen }
     }
 
     /// Cost of the present pass (HDR picture to screen colours): a pixel reads light (8 bytes), writes colour (4).
-    pub fn present(&self) -> Cost {
+    pub fn present_cost(&self) -> Cost {
         Cost { bytes: 12.0 * self.pixels, flops: PRESENT_FRAGMENT_COST.flops * self.pixels }
     }
 }

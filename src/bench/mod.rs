@@ -24,15 +24,15 @@ const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 const MATRIX_FFT_SIZES: [u32; 4] = [128, 256, 512, 1024];
 const MATRIX_CASCADES: [u32; 4] = [1, 2, 3, 4];
 /// FFT size and number of cascades of each sea on which the program's FFT is timed against that of `StagewiseFft`.
-const BASELINE_SEAS: [[u32; 2]; 2] = [[256, 3], [512, 4]];
+const BASELINE_FFT_SIZES_AND_CASCADES: [[u32; 2]; 2] = [[256, 3], [512, 4]];
 
 /// Options of a benchmark: what it times, and how often.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BenchOptions {
     /// Widths and heights of the pictures to be drawn and timed, pixels. If empty, no picture is timed.
-    pub sizes: Vec<[u32; 2]>,
+    pub picture_sizes_px: Vec<[u32; 2]>,
     /// Number of submissions to the GPU that each measurement times.
-    pub repeat: u32,
+    pub submissions_per_measurement: u32,
     /// Whether to time the simulation for many FFT sizes and cascade counts, instead of those of the given state.
     pub matrix: bool,
     /// Whether to time the baseline, too: the waves by an FFT with one dispatch per stage, as in browser demos.
@@ -45,7 +45,7 @@ pub struct PassTiming {
     /// Name of the pass or group of passes, such as `rows` or `frame`, as printed in the benchmark's report.
     pub pass: &'static str,
     /// FFT size and number of cascades of the simulated sea, in this order. None for passes that draw a picture.
-    pub sea_size: Option<[u32; 2]>,
+    pub fft_size_and_cascades: Option<[u32; 2]>,
     /// Width and height of the drawn picture, pixels. None for passes of the simulation.
     pub picture_size: Option<[u32; 2]>,
     /// Measured times of the pass.
@@ -57,8 +57,8 @@ pub struct PassTiming {
 }
 
 impl PassTiming {
-    fn of_simulation(pass: &'static str, sea: [u32; 2], timing: Timing, cost: Option<Cost>) -> Self {
-        Self { pass, sea_size: Some(sea), picture_size: None, timing, cost, dispatches: None }
+    fn for_simulation_pass(pass: &'static str, sea: [u32; 2], timing: Timing, cost: Option<Cost>) -> Self {
+        Self { pass, fft_size_and_cascades: Some(sea), picture_size: None, timing, cost, dispatches: None }
     }
 }
 
@@ -72,7 +72,7 @@ pub struct BenchReport {
     /// Whether GPU times were measured with timestamps; if not, the times are wall times.
     pub has_timestamps: bool,
     /// Number of submissions to the GPU that each measurement timed.
-    pub repeat: u32,
+    pub submissions_per_measurement: u32,
     /// Measured rates of copying, arithmetic and texture reads of the adapter, to compare the passes with.
     pub peak_rates: PeakRates,
     /// Times of all passes and groups of passes, in the order in which they were measured.
@@ -91,7 +91,7 @@ pub async fn run(
     mut progress: impl FnMut(&str),
 ) -> Result<BenchReport, String> {
     let adapter = gpu.device.adapter_info();
-    let clock = Stopwatch::new(gpu, options.repeat);
+    let clock = Stopwatch::new(gpu, options.submissions_per_measurement);
     progress("peak_rates");
     let peak_rates = PeakRates::measure(&clock).await?;
     let mut rows = Vec::new();
@@ -99,7 +99,7 @@ pub async fn run(
         for n in MATRIX_FFT_SIZES {
             for cascades in MATRIX_CASCADES {
                 progress(&format!("simulation, n {n}, cascades {cascades}"));
-                rows.extend(time_simulation(&clock, &with_grid(params, [n, cascades])).await?);
+                rows.extend(time_simulation(&clock, &with_fft_size_and_cascades(params, [n, cascades])).await?);
             }
         }
     } else {
@@ -107,12 +107,12 @@ pub async fn run(
         rows.extend(time_simulation(&clock, params).await?);
     }
     if options.baseline {
-        for sea in BASELINE_SEAS {
+        for sea in BASELINE_FFT_SIZES_AND_CASCADES {
             progress(&format!("a dispatch per stage, n {}, cascades {}", sea[0], sea[1]));
-            rows.extend(time_baseline(&clock, &with_grid(params, sea)).await?);
+            rows.extend(time_baseline(&clock, &with_fft_size_and_cascades(params, sea)).await?);
         }
     }
-    for &size in &options.sizes {
+    for &size in &options.picture_sizes_px {
         progress(&format!("picture of {}x{} pixels", size[0], size[1]));
         rows.extend(time_picture(&clock, params, size).await?);
     }
@@ -120,13 +120,13 @@ pub async fn run(
         state: query::write(params),
         adapter: format!("{} ({})", adapter.name, adapter.backend),
         has_timestamps: clock.has_timestamps(),
-        repeat: clock.repeat,
+        submissions_per_measurement: clock.submissions_per_measurement,
         peak_rates,
         rows,
     })
 }
 
-fn with_grid(params: &Params, [n, cascades]: [u32; 2]) -> Params {
+fn with_fft_size_and_cascades(params: &Params, [n, cascades]: [u32; 2]) -> Params {
     let mut out = params.clone();
     (out.grid.n, out.grid.cascades) = (n, cascades);
     out
@@ -135,24 +135,24 @@ fn with_grid(params: &Params, [n, cascades]: [u32; 2]) -> Params {
 /// Times the passes of the simulation: each pass alone, rows and columns together, and all passes of a frame together.
 async fn time_simulation(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<PassTiming>, String> {
     let mut ocean = Ocean::without_renderer(clock.gpu, params);
-    let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
+    let MapSizes { map_texels_per_side: n, cascades, foam_cells_per_side: foam_n, format } = ocean.map_sizes();
     let passes = ocean.wave_passes();
     let waves = [WavePass::Rows, WavePass::Columns];
     let step = [WavePass::Rows, WavePass::Columns, WavePass::Mips, WavePass::Foam];
     let measured: [(_, &[WavePass], _); 7] = [
         ("spectrum", &[WavePass::Spectrum], None),
-        ("rows", &[WavePass::Rows], Some(cost::rows(n, cascades))),
-        ("columns", &[WavePass::Columns], Some(cost::columns(n, cascades, format))),
-        ("waves", &waves, Some(cost::waves(n, cascades, format))),
-        ("mips", &[WavePass::Mips], Some(cost::mips(n, cascades, format))),
-        ("foam", &[WavePass::Foam], Some(cost::foam(foam_n, cascades, format))),
-        ("step", &step, Some(cost::step(n, foam_n, cascades, format))),
+        ("rows", &[WavePass::Rows], Some(cost::row_pass_cost(n, cascades))),
+        ("columns", &[WavePass::Columns], Some(cost::column_pass_cost(n, cascades, format))),
+        ("waves", &waves, Some(cost::row_and_column_pass_cost(n, cascades, format))),
+        ("mips", &[WavePass::Mips], Some(cost::mip_pass_cost(n, cascades, format))),
+        ("foam", &[WavePass::Foam], Some(cost::foam_pass_cost(foam_n, cascades, format))),
+        ("step", &step, Some(cost::simulation_step_cost(n, foam_n, cascades, format))),
     ];
     let mut rows = Vec::new();
     for (name, recorded, cost) in measured {
         let timing = clock.measure(|_, e| recorded.iter().for_each(|&pass| passes.record(e, pass))).await?;
         let dispatches = (name == "step").then(|| passes.dispatch_count());
-        rows.push(PassTiming { dispatches, ..PassTiming::of_simulation(name, [n, cascades], timing, cost) });
+        rows.push(PassTiming { dispatches, ..PassTiming::for_simulation_pass(name, [n, cascades], timing, cost) });
     }
     Ok(rows)
 }
@@ -163,7 +163,7 @@ async fn time_baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<Pas
     let gpu = clock.gpu;
     let mut ocean = Ocean::without_renderer(gpu, params);
     ocean.read_maps().await?;
-    let MapSizes { n, cascades, format, .. } = ocean.map_sizes();
+    let MapSizes { map_texels_per_side: n, cascades, format, .. } = ocean.map_sizes();
     let sea = [n, cascades];
     let theirs = StagewiseFft::new(gpu, ocean.maps());
     let passes = ocean.wave_passes();
@@ -171,11 +171,16 @@ async fn time_baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<Pas
         passes.record(e, WavePass::Rows);
         passes.record(e, WavePass::Columns);
     });
-    let ours = PassTiming::of_simulation("waves", sea, ours.await?, Some(cost::waves(n, cascades, format)));
+    let ours = PassTiming::for_simulation_pass(
+        "waves",
+        sea,
+        ours.await?,
+        Some(cost::row_and_column_pass_cost(n, cascades, format)),
+    );
     let timing = clock.measure(|_, e| theirs.run(e)).await?;
     let theirs = PassTiming {
         dispatches: Some(theirs.dispatch_count() as u32),
-        ..PassTiming::of_simulation("waves, a dispatch per stage", sea, timing, None)
+        ..PassTiming::for_simulation_pass("waves, a dispatch per stage", sea, timing, None)
     };
     Ok(vec![ours, theirs])
 }
@@ -191,15 +196,15 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
     gpu.submit(encoder);
     let row = |pass, timing| PassTiming {
         pass,
-        sea_size: None,
+        fft_size_and_cascades: None,
         picture_size: Some(size),
         timing,
         cost: None,
         dispatches: None,
     };
     let counted = picture_contents(params, &ocean, size);
-    let MapSizes { n, cascades, foam_n, format } = ocean.map_sizes();
-    let simulation = cost::step(n, foam_n, cascades, format);
+    let MapSizes { map_texels_per_side: n, cascades, foam_cells_per_side: foam_n, format } = ocean.map_sizes();
+    let simulation = cost::simulation_step_cost(n, foam_n, cascades, format);
     let mut out = Vec::new();
     for (pass, part) in [
         ("sky tables", TimedPart::SkyTables),
@@ -209,25 +214,25 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
     ] {
         let cost = match part {
             TimedPart::SkyTables => None,
-            TimedPart::Background => Some(counted.background()),
-            TimedPart::Mesh => Some(counted.mesh()),
-            TimedPart::Water => Some(counted.water()),
+            TimedPart::Background => Some(counted.background_cost()),
+            TimedPart::Mesh => Some(counted.mesh_cost()),
+            TimedPart::Water => Some(counted.water_cost()),
         };
         out.push(PassTiming { cost, ..row(pass, clock.measure(|_, encoder| ocean.record_part(encoder, part)).await?) });
     }
     let present = clock.measure(|_, encoder| offscreen::clear_and_draw(encoder, &target, |pass| ocean.present(pass)));
-    out.push(PassTiming { cost: Some(counted.present()), ..row("present", present.await?) });
+    out.push(PassTiming { cost: Some(counted.present_cost()), ..row("present", present.await?) });
     let mut frame = params.clone();
     // Uniforms are written once per submission, so that a submission can hold only one frame.
-    let mut one = Stopwatch::new(gpu, clock.repeat);
-    one.max_repetitions = 1;
+    let mut one = Stopwatch::new(gpu, clock.submissions_per_measurement);
+    one.max_repetitions_per_submission = 1;
     let frames = one.measure(|i, encoder| {
         frame.clock.t_s = params.clock.t_s + f64::from(i) / 60.0;
         ocean.set_params(&frame);
         ocean.record_frame_with_complete_foam(encoder, size);
         offscreen::clear_and_draw(encoder, &target, |pass| ocean.present(pass));
     });
-    let whole = simulation + counted.water() + counted.background() + counted.present();
+    let whole = simulation + counted.water_cost() + counted.background_cost() + counted.present_cost();
     out.push(PassTiming { cost: Some(whole), ..row("frame", frames.await?) });
     // Frames while the user drags the wind slider.
     let dragged = one.measure(|i, encoder| {
@@ -250,7 +255,8 @@ fn picture_contents(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::Pic
     let view = View::new(&params.camera, width / height, 0.0);
     // With a level view, the lower half of the picture is below the horizon.
     let horizon = (-params.camera.pitch_deg.to_radians()).tan() / view.tan_half_fov[1];
-    let texels = f64::from(sizes.n * sizes.n) * f64::from(sizes.cascades) * 4.0 / 3.0;
+    let texels =
+        f64::from(sizes.map_texels_per_side * sizes.map_texels_per_side) * f64::from(sizes.cascades) * 4.0 / 3.0;
     cost::PictureContents {
         pixels: width * height,
         sea_fraction: (0.5 + 0.5 * horizon).clamp(0.0, 1.0),
@@ -262,16 +268,17 @@ fn picture_contents(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::Pic
 impl BenchReport {
     /// Time of the row `of` divided by that of the last row named `over` with the same FFT size. None without one.
     fn time_ratio(&self, of: &PassTiming, over: &'static str) -> Option<f64> {
-        let other =
-            self.rows.iter().rfind(|r| r.pass == over && r.sea_size.map(|s| s[0]) == of.sea_size.map(|s| s[0]))?;
-        Some(of.timing.representative_ms() / other.timing.representative_ms())
+        let other = self.rows.iter().rfind(|r| {
+            r.pass == over && r.fft_size_and_cascades.map(|s| s[0]) == of.fft_size_and_cascades.map(|s| s[0])
+        })?;
+        Some(of.timing.gpu_or_median_wall_ms() / other.timing.gpu_or_median_wall_ms())
     }
 
     /// Sentences that compare the program's times with those of the baseline, an FFT with one dispatch per stage.
     pub fn comparisons(&self) -> Vec<String> {
         let mut out = Vec::new();
         for theirs in self.rows.iter().filter(|r| r.pass == "waves, a dispatch per stage") {
-            let [n, cascades] = theirs.sea_size.unwrap_or_default();
+            let [n, cascades] = theirs.fft_size_and_cascades.unwrap_or_default();
             if let Some(ratio) = self.time_ratio(theirs, "waves") {
                 out.push(format!(
                     "waves of {cascades} x {n}^2: {ratio:.1} times faster than with a dispatch per stage"
@@ -281,7 +288,7 @@ impl BenchReport {
         let baseline = self.rows.iter().find(|r| r.pass == "waves, a dispatch per stage");
         for frame in self.rows.iter().filter(|r| r.pass == "frame") {
             if let (Some(baseline), Some([w, h])) = (baseline, frame.picture_size) {
-                let ratio = frame.timing.representative_ms() / baseline.timing.representative_ms();
+                let ratio = frame.timing.gpu_or_median_wall_ms() / baseline.timing.gpu_or_median_wall_ms();
                 out.push(format!(
                     "frame of {w}x{h}: {ratio:.2} times the waves of 3 x 256^2 with a dispatch per stage"
                 ));
@@ -294,14 +301,14 @@ impl BenchReport {
 impl fmt::Display for BenchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let c = &self.peak_rates;
-        writeln!(f, "{}, '{}', {} submissions each", self.adapter, self.state, self.repeat)?;
+        writeln!(f, "{}, '{}', {} submissions each", self.adapter, self.state, self.submissions_per_measurement)?;
         writeln!(
             f,
             "copy {:.2} GB/s, empty dispatch {:.4} ms, fragment arithmetic {:.2} GFLOP/s, reads of a map {:.4} G/s; {}",
             c.copy_gb_s,
             c.empty_dispatch_ms,
             c.shading_gflop_s,
-            c.texture_reads_g_s,
+            c.giga_texture_reads_per_s,
             if self.has_timestamps { "GPU times by timestamps" } else { "no timestamps: times from submission to end" }
         )?;
         writeln!(
@@ -312,7 +319,7 @@ impl fmt::Display for BenchReport {
         let number = |value: Option<f64>, digits: usize| value.map_or("-".to_owned(), |v| format!("{v:.digits$}"));
         for row in &self.rows {
             let t = &row.timing;
-            let of = match (row.sea_size, row.picture_size) {
+            let of = match (row.fft_size_and_cascades, row.picture_size) {
                 (Some([n, cascades]), _) => format!("{cascades} x {n}^2"),
                 (_, Some([w, h])) => format!("{w}x{h}"),
                 _ => String::new(),
@@ -329,8 +336,8 @@ impl fmt::Display for BenchReport {
                 number(t.cpu_ms, 3),
                 number(row.cost.map(|cost| 1e-6 * cost.bytes), 2),
                 number(row.cost.map(|cost| 1e-6 * cost.flops), 1),
-                number(floor_ms.map(|floor| t.representative_ms() / floor), 1),
-                number(row.cost.map(|cost| t.representative_ms() / (1e-6 * cost.flops / c.shading_gflop_s)), 1),
+                number(floor_ms.map(|floor| t.gpu_or_median_wall_ms() / floor), 1),
+                number(row.cost.map(|cost| t.gpu_or_median_wall_ms() / (1e-6 * cost.flops / c.shading_gflop_s)), 1),
             )?;
         }
         for (row, dispatches) in self.rows.iter().filter_map(|r| Some((r, r.dispatches?))) {

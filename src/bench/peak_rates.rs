@@ -1,7 +1,7 @@
 //! Measures the peak rates of the adapter, in the same run as the passes that are compared with them.
 
 use super::clock::Stopwatch;
-use crate::gpu::kit::{Attachments, BindingType, Program, begin_compute};
+use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram, begin_compute};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::{Gpu, offscreen};
 
@@ -12,12 +12,13 @@ const EMPTY_DISPATCHES: u32 = 32;
 /// Number of multiply-adds in each of the eight chains that the arithmetic shader computes for a pixel.
 const MULTIPLY_ADDS_PER_CHAIN: u32 = 256;
 /// Side of the square picture that the arithmetic and texture-read shaders draw while they are timed, pixels.
-const TARGET_SIDE: u32 = 512;
+const TARGET_SIDE_PX: u32 = 512;
 /// Number of texture samples that the shader for the rate of texture reads takes per pixel.
 const READS_PER_PIXEL: u32 = 16;
-/// Side of the texture that the shader for texture reads samples, texels. It has `MAP_MIP_LEVELS` mip levels.
-const MAP_SIDE: u32 = 256;
-const MAP_MIP_LEVELS: u32 = 9;
+/// Side of the texture that the shader for texture reads samples, texels. It has `SAMPLED_TEXTURE_MIP_LEVELS` mip
+/// levels.
+const SAMPLED_TEXTURE_SIDE_TEXELS: u32 = 256;
+const SAMPLED_TEXTURE_MIP_LEVELS: u32 = 9;
 
 /// Measured peak rates of an adapter (copying, arithmetic, texture reads) and its overhead per dispatch. The measured
 /// times of the program's passes are compared with them.
@@ -32,7 +33,7 @@ pub struct PeakRates {
     pub shading_gflop_s: f64,
     /// Rate of trilinear samples of a texture in the format of the maps, in a fragment shader without other work, 1e9
     /// samples per second. All samples lie between the same two mip levels.
-    pub texture_reads_g_s: f64,
+    pub giga_texture_reads_per_s: f64,
 }
 
 impl PeakRates {
@@ -57,9 +58,9 @@ impl PeakRates {
                 pass.dispatch_workgroups(1, 1, 1);
             }
         });
-        let empty_dispatch_ms = chain.await?.representative_ms() / f64::from(EMPTY_DISPATCHES);
+        let empty_dispatch_ms = chain.await?.gpu_or_median_wall_ms() / f64::from(EMPTY_DISPATCHES);
 
-        let target = offscreen::create_target(gpu, TARGET_FORMAT, [TARGET_SIDE; 2]);
+        let target = offscreen::create_target(gpu, TARGET_FORMAT, [TARGET_SIDE_PX; 2]);
         let arithmetic = full_screen_pipeline(gpu, "arithmetic", ARITHMETIC_SHADER, &[]);
         let shading = stopwatch.measure(|_, encoder| {
             offscreen::clear_and_draw(encoder, &target, |pass| {
@@ -75,13 +76,13 @@ impl PeakRates {
                 pass.draw(0..3, 0..1);
             });
         });
-        let flops = f64::from(TARGET_SIDE * TARGET_SIDE) * f64::from(2 * 8 * MULTIPLY_ADDS_PER_CHAIN);
+        let flops = f64::from(TARGET_SIDE_PX * TARGET_SIDE_PX) * f64::from(2 * 8 * MULTIPLY_ADDS_PER_CHAIN);
         Ok(Self {
-            copy_gb_s: 2e-6 * COPY_BYTES as f64 / copy.representative_ms(),
+            copy_gb_s: 2e-6 * COPY_BYTES as f64 / copy.gpu_or_median_wall_ms(),
             empty_dispatch_ms,
-            shading_gflop_s: 1e-6 * flops / shading.await?.representative_ms(),
-            texture_reads_g_s: 1e-6 * f64::from(TARGET_SIDE * TARGET_SIDE * READS_PER_PIXEL)
-                / reads.await?.representative_ms(),
+            shading_gflop_s: 1e-6 * flops / shading.await?.gpu_or_median_wall_ms(),
+            giga_texture_reads_per_s: 1e-6 * f64::from(TARGET_SIDE_PX * TARGET_SIDE_PX * READS_PER_PIXEL)
+                / reads.await?.gpu_or_median_wall_ms(),
         })
     }
 }
@@ -119,7 +120,13 @@ fn texture_read_pipeline(gpu: &Gpu) -> (wgpu::RenderPipeline, wgpu::BindGroup) {
     let layout =
         gpu.bind_group_layout("reads", wgpu::ShaderStages::FRAGMENT, &[BindingType::Texture, BindingType::Sampler]);
     let (format, usage) = (MapFormat::for_device(gpu).texture_format(), wgpu::TextureUsages::TEXTURE_BINDING);
-    let map = gpu.texture("reads", [MAP_SIDE, MAP_SIDE, 1], MAP_MIP_LEVELS, format, usage);
+    let map = gpu.texture(
+        "reads",
+        [SAMPLED_TEXTURE_SIDE_TEXELS, SAMPLED_TEXTURE_SIDE_TEXELS, 1],
+        SAMPLED_TEXTURE_MIP_LEVELS,
+        format,
+        usage,
+    );
     let view = map.create_view(&wgpu::TextureViewDescriptor::default());
     let sampler = gpu.sampler("reads", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear);
     let resources = [wgpu::BindingResource::TextureView(&view), wgpu::BindingResource::Sampler(&sampler)];
@@ -140,5 +147,10 @@ fn full_screen_pipeline(
     layouts: &[&wgpu::BindGroupLayout],
 ) -> wgpu::RenderPipeline {
     let module = gpu.shader_module(label, &[FULL_SCREEN_VERTEX_SHADER, fragment].concat());
-    gpu.render_pipeline(label, &Program::new(&module), layouts, &Attachments { formats: &[TARGET_FORMAT], depth: None })
+    gpu.render_pipeline(
+        label,
+        &RenderProgram::new(&module),
+        layouts,
+        &AttachmentFormats { formats: &[TARGET_FORMAT], depth: None },
+    )
 }

@@ -12,7 +12,7 @@ use bytemuck::{Pod, Zeroable};
 use std::f64::consts::TAU;
 
 /// Number of complex fields that are transformed for each cascade. Each packs two of the eight real fields of the maps.
-const FIELD_COUNT: usize = 4;
+const COMPLEX_FIELDS_PER_CASCADE: usize = 4;
 
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -66,7 +66,8 @@ impl StagewiseFft {
                 unused: 0,
             };
             let uniform = uniform_buffer(gpu, bytemuck::bytes_of(&values));
-            let fields: [[wgpu::TextureView; 2]; FIELD_COUNT] = std::array::from_fn(|_| transform.field_textures(gpu));
+            let fields: [[wgpu::TextureView; 2]; COMPLEX_FIELDS_PER_CASCADE] =
+                std::array::from_fn(|_| transform.field_textures(gpu));
             let mut bound =
                 vec![uniform.as_entire_binding(), maps.h0.as_entire_binding(), maps.wave_table.as_entire_binding()];
             bound.extend(fields.iter().map(|pair| wgpu::BindingResource::TextureView(&pair[0])));

@@ -10,9 +10,11 @@ pub fn about_text(about: &DeviceInfo) -> String {
 
 /// Converts the report about the program and its GPU to JSON.
 pub fn about_json(about: &DeviceInfo) -> Value {
-    let limits =
-        about.limits.iter().map(|(name, [asked, could])| (json_key(name), json!({"asked": asked, "adapter": could})));
-    let ways = about.choices.iter().map(|(name, way)| (json_key(name), json!(way)));
+    let limits = about
+        .requested_and_adapter_limits
+        .iter()
+        .map(|(name, [asked, could])| (json_key(name), json!({"asked": asked, "adapter": could})));
+    let ways = about.program_choices.iter().map(|(name, way)| (json_key(name), json!(way)));
     json!({
         "seastate": VERSION, "wgpu": WGPU_VERSION, "system": build_platform(),
         "adapter": about.adapter, "kind": about.kind, "backend": about.backend, "driver": about.driver,

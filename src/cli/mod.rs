@@ -8,7 +8,7 @@ mod info;
 use crate::bench::BenchOptions;
 use crate::gpu::{Gpu, device};
 use crate::lab::reference::Sampling;
-use crate::lab::render::Sequence;
+use crate::lab::render::PictureSequence;
 use crate::lab::{check, export, gallery, parameters, render, stats, validate};
 use crate::ocean::device_info::DeviceInfo;
 use crate::state::Params;
@@ -50,11 +50,11 @@ fn run(cli: Cli) -> Result<i32, String> {
         None => return crate::app::native::run(&read_sea_params(&cli.sea)?).map(|()| 0),
         Some(Command::Check { sea: args }) => return check(&read_sea_params(&args)?),
         Some(Command::Render { sea: args, size, output, frames: Some(count), fps, layers, .. }) => {
-            let sequence = Sequence { count, fps, layers };
+            let sequence = PictureSequence { picture_count: count, fps, writes_layers: layers };
             block_on(render::write_sequence(&gpu()?, &read_sea_params(&args)?, size, &sequence, &output))?
         }
         Some(Command::Render { sea: args, size, output, reference, samples, reference_seed, .. }) => {
-            let sampling = reference.then_some(Sampling { samples, seed: reference_seed });
+            let sampling = reference.then_some(Sampling { min_samples_per_pixel: samples, seed: reference_seed });
             let params = read_sea_params(&args)?;
             block_on(render::write_picture(&gpu()?, &params, size, sampling, &output))?;
             return Ok(0);
@@ -78,10 +78,11 @@ fn run(cli: Cli) -> Result<i32, String> {
         Some(Command::Bench { sea: args, sizes, no_picture, matrix, baseline, repeat, json }) => {
             let sizes = match (no_picture, matrix) {
                 (true, _) => Vec::new(),
-                (_, true) => bench::MATRIX_SIZES.to_vec(),
+                (_, true) => bench::MATRIX_PICTURE_SIZES_PX.to_vec(),
                 _ => sizes,
             };
-            let options = BenchOptions { sizes, repeat, matrix, baseline };
+            let options =
+                BenchOptions { picture_sizes_px: sizes, submissions_per_measurement: repeat, matrix, baseline };
             let params = read_sea_params(&args)?;
             let progress = |what: &str| eprintln!("seastate: measuring {what}");
             let report = block_on(crate::bench::run(&gpu()?, &params, &options, progress))?;
@@ -93,9 +94,9 @@ fn run(cli: Cli) -> Result<i32, String> {
             if json { pretty_json(&info::about_json(&about)) } else { info::about_text(&about) }
         }
         Some(Command::Validate { output, seeds }) => {
-            let page = validate::build(Some(&gpu()?), seeds, &validate::PAGE_PARTS)?;
+            let page = validate::build_validation_page(Some(&gpu()?), seeds, &validate::PAGE_PARTS)?;
             page.write(&output)?;
-            format!("{} and {} figures", output.join("validation.md").display(), page.drawings().len())
+            format!("{} and {} figures", output.join("validation.md").display(), page.figure_svgs().len())
         }
         Some(Command::Gallery { output, only }) => block_on(gallery::run(&gpu()?, &output, &only))?,
         Some(Command::Keys { markdown: true }) => parameters::parameters_markdown(),

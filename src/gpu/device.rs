@@ -9,7 +9,8 @@ use super::timer;
 /// the adapter has them: timestamps, and filterable float textures if these are faster.
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     let info = adapter.get_info();
-    let wanted = timer::TIMESTAMPS | timer::TIMESTAMPS_BETWEEN_PASSES | MapFormat::wanted_features(&info);
+    let wanted =
+        timer::TIMESTAMP_FEATURE | timer::TIMESTAMPS_BETWEEN_PASSES_FEATURE | MapFormat::wanted_features(&info);
     wgpu::DeviceDescriptor {
         label: Some("seastate"),
         required_features: adapter.features() & wanted,

@@ -72,7 +72,7 @@ impl BindingType {
 }
 
 /// Shader module of a render pipeline, with its vertex and fragment entry points and override constants.
-pub struct Program<'a> {
+pub struct RenderProgram<'a> {
     /// Shader module that contains the vertex and the fragment entry point.
     pub module: &'a wgpu::ShaderModule,
     /// Names of the vertex entry point and of the fragment entry point, in this order.
@@ -81,7 +81,7 @@ pub struct Program<'a> {
     pub constants: &'a [(&'a str, f64)],
 }
 
-impl<'a> Program<'a> {
+impl<'a> RenderProgram<'a> {
     /// A render program with the entry points named `vertex` and `fragment`, and default values of override constants.
     pub fn new(module: &'a wgpu::ShaderModule) -> Self {
         Self { module, entry_points: ["vertex", "fragment"], constants: &[] }
@@ -89,7 +89,7 @@ impl<'a> Program<'a> {
 }
 
 /// Formats of the colour and depth textures that a render pipeline draws on, and its depth test.
-pub struct Attachments<'a> {
+pub struct AttachmentFormats<'a> {
     /// Texture formats of the colour textures that are drawn on, in the order of the fragment shader's outputs.
     pub formats: &'a [wgpu::TextureFormat],
     /// How depth is tested and written. None if nothing is drawn on a depth texture.
@@ -250,11 +250,11 @@ impl Gpu {
     pub fn render_pipeline(
         &self,
         label: &str,
-        program: &Program<'_>,
+        program: &RenderProgram<'_>,
         layouts: &[&wgpu::BindGroupLayout],
-        onto: &Attachments<'_>,
+        onto: &AttachmentFormats<'_>,
     ) -> wgpu::RenderPipeline {
-        let Program { module, entry_points: [vertex, fragment], constants } = *program;
+        let RenderProgram { module, entry_points: [vertex, fragment], constants } = *program;
         let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
         let targets: Vec<_> = onto.formats.iter().map(|&format| Some(format.into())).collect();
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {

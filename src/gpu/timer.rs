@@ -8,14 +8,14 @@ use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// wgpu feature that a device needs so that a [`Timer`] measures: timestamp queries.
-pub const TIMESTAMPS: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
+pub const TIMESTAMP_FEATURE: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY;
 /// wgpu feature that allows timestamps between passes. Without it, extra empty compute passes write them.
-pub const TIMESTAMPS_BETWEEN_PASSES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
+pub const TIMESTAMPS_BETWEEN_PASSES_FEATURE: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
 /// Largest number of timestamps in a frame. Each mark (the start of the frame or the end of one of its parts) takes one
 /// timestamp, or two if an empty compute pass writes them.
 const MAX_TIMESTAMPS: u32 = 256;
 /// Weight of the newest frame in the exponential moving average of the GPU times of its parts, 0 to 1.
-const SMOOTHING_WEIGHT: f64 = 0.2;
+const GPU_TIME_SMOOTHING_WEIGHT: f64 = 0.2;
 
 /// Measures the GPU times of the parts of a frame, if the device has timestamps. Clones share all state and results.
 #[derive(Clone, Debug, Default)]
@@ -51,7 +51,7 @@ enum TimerPhase {
 impl Timer {
     /// Creates a timer for a device. If the device has no timestamps, it records nothing and returns no times.
     pub fn new(gpu: &Gpu) -> Self {
-        if !gpu.device.features().contains(TIMESTAMPS) {
+        if !gpu.device.features().contains(TIMESTAMP_FEATURE) {
             return Self(None);
         }
         let size = u64::from(MAX_TIMESTAMPS) * u64::from(wgpu::QUERY_SIZE);
@@ -64,7 +64,7 @@ impl Timer {
             resolved: gpu.buffer("timer", size, wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
             staging: gpu.buffer("timer staging", size, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
-            between_passes: gpu.device.features().contains(TIMESTAMPS_BETWEEN_PASSES),
+            between_passes: gpu.device.features().contains(TIMESTAMPS_BETWEEN_PASSES_FEATURE),
             phase: TimerPhase::Idle,
             parts: Vec::new(),
             times: Vec::new(),
@@ -84,20 +84,20 @@ impl Timer {
         if !is_submitted && matches!(state.phase, TimerPhase::Recorded) {
             state.phase = TimerPhase::Idle;
         }
-        state.collect_arrived();
+        state.collect_arrived_timestamps();
         if matches!(state.phase, TimerPhase::Idle) {
             state.phase = TimerPhase::Recording;
             state.parts.clear();
-            state.mark(encoder, "");
+            state.write_mark(encoder, "");
         }
     }
 
     /// Ends the part of the frame that consists of the commands recorded since the previous mark, and names it `part`.
     /// The times of parts with the same name are added.
-    pub fn mark(&self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
+    pub fn end_part(&self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
         let Some(mut state) = self.lock_state() else { return };
         if matches!(state.phase, TimerPhase::Recording) {
-            state.mark(encoder, part);
+            state.write_mark(encoder, part);
         }
     }
 
@@ -120,7 +120,7 @@ impl Timer {
 
     /// Names of the parts of the last frame whose timestamps have arrived, with their GPU times (ms), exponentially
     /// smoothed over the frames that contain the part. Empty if the device has no timestamps.
-    pub fn times(&self) -> Vec<(&'static str, f64)> {
+    pub fn part_times_ms(&self) -> Vec<(&'static str, f64)> {
         self.lock_state().map_or_else(Vec::new, |state| state.times.clone())
     }
 
@@ -131,7 +131,7 @@ impl Timer {
 
 /// Records an empty pass that writes two timestamps, with the indices `at` and `at + 1` in `set`. Browsers only allow
 /// timestamps at the start and the end of a pass, and the two need different indices.
-pub fn stamp_pass(encoder: &mut wgpu::CommandEncoder, set: &wgpu::QuerySet, at: u32) {
+pub fn record_timestamp_pass(encoder: &mut wgpu::CommandEncoder, set: &wgpu::QuerySet, at: u32) {
     drop(encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
         label: Some("mark"),
         timestamp_writes: Some(wgpu::ComputePassTimestampWrites {
@@ -149,7 +149,7 @@ impl TimerState {
         mark as u32 * if self.between_passes { 1 } else { 2 }
     }
 
-    fn mark(&mut self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
+    fn write_mark(&mut self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
         let at = self.first_query_index(self.parts.len());
         self.parts.push(part);
         if self.first_query_index(self.parts.len()) > MAX_TIMESTAMPS {
@@ -158,12 +158,12 @@ impl TimerState {
         if self.between_passes {
             encoder.write_timestamp(&self.set, at);
         } else {
-            stamp_pass(encoder, &self.set, at);
+            record_timestamp_pass(encoder, &self.set, at);
         }
     }
 
     /// Adds a frame's timestamps to the smoothed times if they have arrived, or requests those of a submitted frame.
-    fn collect_arrived(&mut self) {
+    fn collect_arrived_timestamps(&mut self) {
         match &self.phase {
             TimerPhase::Recorded => {
                 let arrived = Arc::new(AtomicU8::new(0));
@@ -203,7 +203,7 @@ impl TimerState {
         }
         let before = std::mem::take(&mut self.times);
         let smooth = |(name, ms): (&'static str, f64)| match before.iter().find(|(known, _)| *known == name) {
-            Some((_, smooth)) => (name, smooth + SMOOTHING_WEIGHT * (ms - smooth)),
+            Some((_, smooth)) => (name, smooth + GPU_TIME_SMOOTHING_WEIGHT * (ms - smooth)),
             None => (name, ms),
         };
         self.times = frame.into_iter().map(smooth).collect();

@@ -4,7 +4,7 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::readback::{self, StagedTexture};
-use crate::oracle::{self, Complex, Texel, maps::MapPair};
+use crate::oracle::{self, Complex, Texel, maps::CascadeMapPair};
 use crate::shaders::Shaders;
 use crate::sim::Simulation;
 use crate::sim::foam::FoamStep;
@@ -24,7 +24,7 @@ pub struct Comparison {
     /// Name of the pass and of the compared quantity, such as `columns displacement`.
     pub pass_and_quantity: &'static str,
     /// Index of the cascade; for foam, index of the foam level.
-    pub cascade: usize,
+    pub cascade_or_foam_level: usize,
     /// Relative error: root mean square error divided by the root mean square of the expected values, or for a mip
     /// level by the root mean square of the next finer level; for wave maps and mip levels by at least 2^-12.
     pub relative_error: f64,
@@ -45,7 +45,7 @@ impl fmt::Display for Comparison {
         write!(
             f,
             "{:<34} {:>7} {:>12.3e} {:>12.1e}  {verdict}",
-            self.pass_and_quantity, self.cascade, self.relative_error, self.tolerance
+            self.pass_and_quantity, self.cascade_or_foam_level, self.relative_error, self.tolerance
         )
     }
 }
@@ -55,10 +55,10 @@ impl fmt::Display for Comparison {
 const SPECTRUM_TOLERANCE: f64 = 1e-6;
 /// Largest accepted rms error of the GPU's FFT along rows or columns, divided by the rms of the oracle's result. It
 /// leaves room for the rounding errors of f32.
-const TRANSFORM_TOLERANCE: f64 = 1e-6;
+const FFT_TOLERANCE: f64 = 1e-6;
 /// Largest accepted rms error of the GPU's wave maps, divided by the rms of the oracle's maps. Rounding to half floats
 /// gives a relative error of at most 2^-11.
-const HALF_FLOAT_TOLERANCE: f64 = 4.9e-4;
+const WAVE_MAP_TOLERANCE: f64 = 4.9e-4;
 /// Largest accepted rms error of a mip level (rounded to half floats), divided by the rms of the next finer level.
 const MIP_TOLERANCE: f64 = 4.9e-4;
 /// Largest accepted rms error of the GPU's foam coverage, divided by the rms of the oracle's. The foam pass filters
@@ -68,12 +68,12 @@ const FOAM_TOLERANCE: f64 = 5e-3;
 /// Lower limit, 2^-12, of the rms by which the rms error of half-float maps is divided. Half floats are at least 2^-24
 /// apart, so truncating a texel's four components changes the texel by up to 2^-23: 2^-11 of this limit. The limit
 /// matters for maps of very small values, such as slopes of the longest waves of a calm sea.
-const MIN_HALF_FLOAT_RMS: f64 = 2.441_406_25e-4;
+const MIN_RMS_DIVISOR: f64 = 2.441_406_25e-4;
 
 /// Number of foam steps that are computed before the GPU's foam is compared with the oracle's.
-const FOAM_STEPS: usize = 4;
+const COMPARED_FOAM_STEPS: usize = 4;
 /// Index of the foam level that is compared: 0 is the smallest and finest of the square foam grids around the camera.
-const FOAM_LEVEL: usize = 1;
+const COMPARED_FOAM_LEVEL: usize = 1;
 
 /// Compares all GPU passes (spectrum, FFT, wave maps, mip levels, foam) with the oracle (the same calculation on the
 /// CPU in f64), for the sea of `params` at its time. Returns one comparison per quantity and cascade.
@@ -99,11 +99,12 @@ pub async fn run_with(
     let t_s = params.clock.t_s;
     let mut sim = Simulation::with_fft_implementation(gpu, plan.clone(), shaders, implementation);
     let dispatch = sim.upload_sea_uniform(gpu, t_s, true);
-    let mut check = Check { gpu, plan: &plan, sim: &sim, dispatch, lines: Vec::new() };
+    let mut check = OracleCheck { gpu, plan: &plan, sim: &sim, dispatch, lines: Vec::new() };
     let h0: Vec<Vec<Complex>> = plan.cascades.iter().map(|c| oracle::spectrum::initial_spectrum(&plan, c)).collect();
-    let rows: Vec<MapPair> =
+    let rows: Vec<CascadeMapPair> =
         plan.cascades.iter().zip(&h0).map(|(c, h0)| oracle::maps::transform_rows(&plan, c, h0, t_s)).collect();
-    let maps: Vec<MapPair> = rows.iter().map(|rows| oracle::maps::transform_columns(plan.n as usize, rows)).collect();
+    let maps: Vec<CascadeMapPair> =
+        rows.iter().map(|rows| oracle::maps::transform_columns(plan.n as usize, rows)).collect();
     check.compare_spectrum(&h0).await?;
     check.compare_rows(&h0, &rows).await?;
     check.compare_columns(&rows, &maps).await?;
@@ -120,7 +121,7 @@ pub async fn run_with(
 }
 
 /// A check in progress: the simulation that is compared with the oracle at one time, and the comparisons made so far.
-struct Check<'a> {
+struct OracleCheck<'a> {
     gpu: &'a Gpu,
     plan: &'a Plan,
     sim: &'a Simulation,
@@ -128,7 +129,7 @@ struct Check<'a> {
     lines: Vec<Comparison>,
 }
 
-impl Check<'_> {
+impl OracleCheck<'_> {
     async fn compare_spectrum(&mut self, h0: &[Vec<Complex>]) -> Result<(), String> {
         let r = &self.sim.resources;
         let mut encoder = self.gpu.encoder("check");
@@ -150,7 +151,7 @@ impl Check<'_> {
 
     /// Runs the GPU's FFT along rows on `h0`, the oracle's initial wave amplitudes of each cascade, and adds
     /// comparisons of the result with `rows`, the oracle's FFT along rows, to `lines`.
-    async fn compare_rows(&mut self, h0: &[Vec<Complex>], rows: &[MapPair]) -> Result<(), String> {
+    async fn compare_rows(&mut self, h0: &[Vec<Complex>], rows: &[CascadeMapPair]) -> Result<(), String> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&self.sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&flat));
         let mut encoder = self.gpu.encoder("check");
@@ -160,7 +161,7 @@ impl Check<'_> {
 
     /// Runs the GPU's FFT along columns on `rows`, the oracle's FFT along rows, and compares the result with `maps`,
     /// the oracle's wave maps. Also lets the GPU compute the mip levels of its own maps, for [`Self::compare_mips`].
-    async fn compare_columns(&mut self, rows: &[MapPair], maps: &[MapPair]) -> Result<(), String> {
+    async fn compare_columns(&mut self, rows: &[CascadeMapPair], maps: &[CascadeMapPair]) -> Result<(), String> {
         let r = &self.sim.resources;
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&r.row_transforms, 0, bytemuck::cast_slice(&flat));
@@ -176,7 +177,7 @@ impl Check<'_> {
     async fn compare_transform(
         &mut self,
         mut encoder: wgpu::CommandEncoder,
-        want: &[MapPair],
+        want: &[CascadeMapPair],
         names: [&'static str; 2],
     ) -> Result<(), String> {
         let staging = readback::stage_buffer(self.gpu, &mut encoder, &self.sim.resources.row_transforms);
@@ -190,7 +191,7 @@ impl Check<'_> {
                     what,
                     c,
                     relative_rms_error(got, want[pair].iter().copied()),
-                    TRANSFORM_TOLERANCE,
+                    FFT_TOLERANCE,
                 ));
             }
         }
@@ -199,16 +200,16 @@ impl Check<'_> {
 
     /// Compares mip level 0 of the half-float wave maps, which the column pass has written, with `maps`, the oracle's
     /// result.
-    async fn compare_maps(&mut self, maps: &[MapPair]) -> Result<(), String> {
+    async fn compare_maps(&mut self, maps: &[CascadeMapPair]) -> Result<(), String> {
         let points = (self.plan.n * self.plan.n) as usize;
         let kinds = [(MapKind::Displacement, "maps displacement"), (MapKind::Gradients, "maps gradients")];
         for (pair, (kind, what)) in kinds.into_iter().enumerate() {
             let got = read_map(self.gpu, &self.sim.resources, kind, 0).await?;
             for (c, want) in maps.iter().enumerate() {
                 let got = got[c * points..][..points].iter().copied();
-                let rms = root_mean_square(want[pair].iter().copied()).max(MIN_HALF_FLOAT_RMS);
+                let rms = root_mean_square(want[pair].iter().copied()).max(MIN_RMS_DIVISOR);
                 let error = rms_difference(got, want[pair].iter().copied()) / rms;
-                self.lines.push(comparison(what, c, error, HALF_FLOAT_TOLERANCE));
+                self.lines.push(comparison(what, c, error, WAVE_MAP_TOLERANCE));
             }
         }
         Ok(())
@@ -237,7 +238,7 @@ impl Check<'_> {
                 let got = got[c * below * below..][..below * below].iter().copied();
                 // Waves that cancel in the mean leave rounding errors, so the error is divided by the rms of the next
                 // finer level.
-                let rms = root_mean_square(from.iter().copied()).max(MIN_HALF_FLOAT_RMS);
+                let rms = root_mean_square(from.iter().copied()).max(MIN_RMS_DIVISOR);
                 self.lines.push(comparison(what, c, rms_difference(got, want.iter().copied()) / rms, MIP_TOLERANCE));
             }
         }
@@ -245,35 +246,35 @@ impl Check<'_> {
     }
 }
 
-/// Compares the foam coverage of the level [`FOAM_LEVEL`] after [`FOAM_STEPS`] time steps on the GPU with the oracle's.
-/// The oracle reads the GPU's wave maps, so only errors of the foam pass count.
+/// Compares the foam coverage of the level [`COMPARED_FOAM_LEVEL`] after [`COMPARED_FOAM_STEPS`] time steps on
+/// the GPU with the oracle's. The oracle reads the GPU's wave maps, so only errors of the foam pass count.
 async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
     let mut want: Vec<f64> = vec![FoamModel::new(plan).expected_mean_foam; size * size];
     let mut got = Vec::new();
-    for _ in 0..FOAM_STEPS {
+    for _ in 0..COMPARED_FOAM_STEPS {
         let mut encoder = gpu.encoder("check");
         let Some(step) = sim.encode_next_foam_step(gpu, &mut encoder, t_s, centre) else { break };
         gpu.submit(encoder);
-        let level = sim.maps().foam_levels[FOAM_LEVEL];
-        let corner = level.centre.map(|c| c - 0.5 * size as f64 * level.cell_m);
+        let level = sim.maps().foam_levels[COMPARED_FOAM_LEVEL];
+        let corner = level.centre_m.map(|c| c - 0.5 * size as f64 * level.cell_m);
         let pyramid = SampledMaps::read(gpu, &sim, level.cell_m).await?;
-        step_foam(&mut want, plan, &pyramid, (corner, level.cell_m), step);
+        step_oracle_foam(&mut want, plan, &pyramid, (corner, level.cell_m), step);
         let texels = read_foam(gpu, &sim.resources).await?;
         // A cell is stored at its index modulo the size of the level.
         let first = corner.map(|o| (o / level.cell_m).round() as i64);
         let stored = |i: usize| {
             let place = [(i % size) as i64, (i / size) as i64];
             let at: [usize; 2] = std::array::from_fn(|a| (first[a] + place[a]).rem_euclid(size as i64) as usize);
-            texels[FOAM_LEVEL * size * size + at[1] * size + at[0]][0]
+            texels[COMPARED_FOAM_LEVEL * size * size + at[1] * size + at[0]][0]
         };
         got = (0..size * size).map(stored).collect();
     }
     let pack = |v: &[f64]| v.iter().map(|&f| [f]).collect::<Vec<_>>();
     Ok(comparison(
         "foam",
-        FOAM_LEVEL,
+        COMPARED_FOAM_LEVEL,
         relative_rms_error(pack(&got).into_iter(), pack(&want).into_iter()),
         FOAM_TOLERANCE,
     ))
@@ -281,14 +282,20 @@ async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> 
 
 /// Advances the foam coverage of all cells of a foam level by one time step, as the oracle computes it. `corner` (x, z)
 /// of the level and side `texel_m` of a cell are in metres.
-fn step_foam(foam: &mut [f64], plan: &Plan, pyramid: &SampledMaps, (corner, texel_m): ([f64; 2], f64), step: FoamStep) {
-    let source = FoamModel::new(plan).source(plan, texel_m);
+fn step_oracle_foam(
+    foam: &mut [f64],
+    plan: &Plan,
+    pyramid: &SampledMaps,
+    (corner, texel_m): ([f64; 2], f64),
+    step: FoamStep,
+) {
+    let source = FoamModel::new(plan).foam_source_for_texel(plan, texel_m);
     let size = foam.len().isqrt();
     for (i, cell) in foam.iter_mut().enumerate() {
         let at = [i % size, i / size];
         let world: [f64; 2] = std::array::from_fn(|a| corner[a] + (at[a] as f64 + 0.5) * texel_m);
-        let j = oracle::foam::displacement_jacobian(pyramid.wave_fields_at(world).strain, plan.sea.choppiness());
-        let s = ((source.threshold - j) * source.slope).clamp(0.0, 1.0);
+        let j = oracle::foam::displacement_jacobian(pyramid.wave_fields_at(world).strain, plan.sea.choppiness_xz());
+        let s = ((source.jacobian_threshold - j) * source.source_slope).clamp(0.0, 1.0);
         *cell = oracle::foam::foam_after_step(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
     }
 }
@@ -350,7 +357,7 @@ impl SampledMaps {
 }
 
 fn comparison(pass_and_quantity: &'static str, cascade: usize, relative_error: f64, tolerance: f64) -> Comparison {
-    Comparison { pass_and_quantity, cascade, relative_error, tolerance }
+    Comparison { pass_and_quantity, cascade_or_foam_level: cascade, relative_error, tolerance }
 }
 
 /// Reads back mip level `level` of the GPU's wave maps of one kind (displacement, gradients or slope moments): the

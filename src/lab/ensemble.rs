@@ -14,9 +14,9 @@ use std::f64::consts::{PI, TAU};
 
 /// Phase by which the wave of highest frequency advances between the two read-backs of a seed's wave maps, rad. The
 /// change of phase tells waves of opposite directions apart.
-const PEAK_PHASE_ADVANCE_RAD: f64 = 1.0;
+const HIGHEST_FREQUENCY_PHASE_ADVANCE_RAD: f64 = 1.0;
 /// Number of random points of the displaced surface that each seed contributes to skewness and kurtosis.
-const STATISTICS_POINTS: u32 = 1 << 16;
+const SURFACE_POINTS_PER_SEED: u32 = 1 << 16;
 
 /// Statistics measured in the GPU's f32 wave maps. Heights and slopes are those of the undisplaced grid. Periods and
 /// directions come from maps at two times, which tell waves of opposite directions apart. Skewness and kurtosis belong
@@ -26,7 +26,7 @@ pub struct MeasuredStatistics {
     /// Significant wave height, m, from the variance averaged over the seeds.
     pub hs_m: EstimateWithError,
     /// Mean elevation of the surface, m.
-    pub mean_m: EstimateWithError,
+    pub mean_elevation_m: EstimateWithError,
     /// Mean square slope of the undisplaced surface: mean of (d eta/dx)^2 + (d eta/dz)^2, dimensionless.
     pub mss: EstimateWithError,
     /// Mean wave period Tm01 = 2 pi m0 / m1, s, with the spectral moments m0 and m1.
@@ -34,7 +34,7 @@ pub struct MeasuredStatistics {
     /// Mean zero-crossing period Tm02 = 2 pi sqrt(m0 / m2), s, with the spectral moments m0 and m2.
     pub tm02_s: EstimateWithError,
     /// Mean direction that the waves come from, degrees clockwise from north; `None` without a mean direction.
-    pub from_deg: Option<EstimateWithError>,
+    pub mean_from_deg: Option<EstimateWithError>,
     /// First directional moment r1: 0 without a mean direction, 1 if all waves travel in one direction.
     pub r1: EstimateWithError,
     /// Directional spread sqrt(2 (1 - r1)), converted to degrees, with the first directional moment r1.
@@ -47,7 +47,7 @@ pub struct MeasuredStatistics {
     /// at the same time, divided by the latter. Apart from rounding it is 0 by Parseval's theorem.
     pub parseval_error: f64,
     /// Number of seeds that were measured.
-    pub seeds: u32,
+    pub seed_count: u32,
 }
 
 /// Statistics measured in the GPU's wave maps of one seed; `summarise_seeds` averages them.
@@ -65,13 +65,13 @@ pub struct SeedStatistics {
 #[derive(Clone, Copy, Debug)]
 pub struct TravellingWave {
     /// Variance of the surface elevation that this wave alone causes, m^2.
-    pub variance: f64,
+    pub variance_m2: f64,
     /// Wave number, rad/m.
     pub k: f64,
     /// Angular frequency, rad/s.
     pub omega: f64,
     /// Unit vector (x, z) of the direction in which the wave travels.
-    pub travel: [f64; 2],
+    pub travel_direction: [f64; 2],
 }
 
 /// Measures the statistics of the sea of `params` on the GPU over `seeds` random seeds: its own seed and those after
@@ -89,7 +89,7 @@ pub async fn measure(
     let shaders = Shaders::default();
     let t_s = params.clock.t_s;
     let plan = Plan::new(params);
-    let later_s = t_s + PEAK_PHASE_ADVANCE_RAD / plan.dispersion.omega(plan.k_max());
+    let later_s = t_s + HIGHEST_FREQUENCY_PHASE_ADVANCE_RAD / plan.dispersion.omega(plan.k_max());
     let mut all = Vec::new();
     for i in 0..seeds {
         let mut params = params.clone();
@@ -121,18 +121,18 @@ fn summarise_seeds(all: &[SeedStatistics]) -> MeasuredStatistics {
     let tm02 = EstimateWithError::ratio(&m0, &m2);
     MeasuredStatistics {
         hs_m: variance.with_propagated_error(hs_m, 0.5 * hs_m / variance.value.max(f64::MIN_POSITIVE)),
-        mean_m: over(&|s| s.mean),
+        mean_elevation_m: over(&|s| s.mean),
         mss: over(&|s| s.mss),
         tm01_s: EstimateWithError::ratio(&m0, &m1).scaled(TAU),
         tm02_s: tm02.with_propagated_error(TAU * tm02.value.sqrt(), TAU * 0.5 / tm02.value.sqrt().max(1e-9)),
-        from_deg: (r1.value > statistics::MIN_R1_FOR_DIRECTION)
+        mean_from_deg: (r1.value > statistics::MIN_R1_FOR_DIRECTION)
             .then(|| turn_deg.with_propagated_error(statistics::bearing_waves_come_from_deg([x, z]), 1.0)),
         r1,
         spread_deg: spread_deg(r1),
         skewness: over(&|s| s.skewness),
         kurtosis: over(&|s| s.kurtosis),
         parseval_error: all.iter().map(|s| s.parseval_error).fold(0.0, f64::max),
-        seeds: all.len() as u32,
+        seed_count: all.len() as u32,
     }
 }
 
@@ -160,17 +160,17 @@ fn seed_statistics(
         mss += now.gradients(c).iter().map(|g| f64::from(g[0]).powi(2) + f64::from(g[1]).powi(2)).sum::<f64>() / count;
         let displacements = [0, 1].map(|i: usize| maps[i].displacement(c));
         travelling_waves(plan, cascade, displacements, times, &mut |wave| {
-            travelling.add(wave.variance, wave.k, wave.omega, wave.travel);
+            travelling.add(wave.variance_m2, wave.k, wave.omega, wave.travel_direction);
             visit(wave);
         });
     }
     let expected = statistics::realised_variance(plan, times[0]);
     let parseval_error = if expected == 0.0 { variance } else { (variance - expected).abs() / expected };
     let mut sums = [0.0; 5];
-    surface_points(plan, now, &mut |eta, weight| {
+    visit_surface_points(plan, now, &mut |eta, weight| {
         sums.iter_mut().zip(0..).for_each(|(sum, power)| *sum += weight * eta.powi(power));
     });
-    let [_, _, skewness, kurtosis] = distribution_shape(sums);
+    let [_, _, skewness, kurtosis] = mean_sd_skewness_kurtosis(sums);
     SeedStatistics { variance, mean, mss, skewness, kurtosis, travelling, parseval_error }
 }
 
@@ -186,13 +186,13 @@ fn travelling_waves(
     visit: &mut dyn FnMut(&TravellingWave),
 ) {
     let n = plan.n as usize;
-    let [first, second] = displacements.map(|d| transform_of_heights(n, d));
+    let [first, second] = displacements.map(|d| fourier_transform_of_heights(n, d));
     let passed = plan.period_fraction_u32(times[1]).wrapping_sub(plan.period_fraction_u32(times[0]));
     let scale = 1.0 / (n * n) as f64;
     for z in 0..n {
         for x in 0..n {
             let (ix, iz) = (oracle::signed_index(x, n), oracle::signed_index(z, n));
-            let wave = plan.wave(cascade, (ix * ix + iz * iz) as u32);
+            let wave = plan.wave_at_squared_index(cascade, (ix * ix + iz * iz) as u32);
             if (ix, iz) == (0, 0)
                 || !cascade.contains_wave_number(wave.k)
                 || ix == -(n as i32) / 2
@@ -210,24 +210,24 @@ fn travelling_waves(
             let amplitude = scale / (2.0 * sin);
             let variance = 2.0 * (re * re + im * im) * amplitude * amplitude;
             let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
-            visit(&TravellingWave { variance, k: wave.k, omega: wave.omega, travel: unit });
+            visit(&TravellingWave { variance_m2: variance, k: wave.k, omega: wave.omega, travel_direction: unit });
         }
     }
 }
 
 /// Inverse Fourier transform (real, imaginary) of the heights in a displacement map of n x n texels, without the factor
 /// 1/n^2. Heights are real, so it is the complex conjugate of the forward transform.
-pub fn transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]> {
+pub fn fourier_transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<[f64; 2]> {
     let heights: Vec<[f64; 2]> = displacement.iter().map(|d| [f64::from(d[1]), 0.0]).collect();
     transform::inverse_2d(n, &heights)
 }
 
-/// Calls `visit` at `STATISTICS_POINTS` random points of the sea, with the elevation (m) and the Jacobian (area of a
-/// displaced surface element over its area at rest). Cascades are independent and homogeneous, so a point is the sum of
-/// a random texel of each.
-pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
+/// Calls `visit` at `SURFACE_POINTS_PER_SEED` random points of the sea, with the elevation (m) and the Jacobian (area
+/// of a displaced surface element over its area at rest). Cascades are independent and homogeneous, so a point is the
+/// sum of a random texel of each.
+pub fn visit_surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
     let n = maps.n as u32;
-    for i in 0..STATISTICS_POINTS {
+    for i in 0..SURFACE_POINTS_PER_SEED {
         let (mut eta, mut strain) = (0.0, [0.0; 3]);
         for c in 0..maps.cascade_count() {
             let at = noise::pcg4d([i, c as u32, plan.sea.seed, 17]);
@@ -238,13 +238,13 @@ pub fn surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f6
             strain[1] += f64::from(g[3]);
             strain[2] += f64::from(d[3]);
         }
-        visit(eta, displacement_jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.choppiness()));
+        visit(eta, displacement_jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.choppiness_xz()));
     }
 }
 
 /// Mean, standard deviation, skewness and kurtosis (3 for a Gaussian) of a distribution. `sums` holds the weighted sums
 /// of the powers 0 to 4 of its values. Without variance all results but the mean are 0.
-pub fn distribution_shape(sums: [f64; 5]) -> [f64; 4] {
+pub fn mean_sd_skewness_kurtosis(sums: [f64; 5]) -> [f64; 4] {
     let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
     let variance = m2 - m1 * m1;
     if variance <= 0.0 {

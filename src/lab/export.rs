@@ -9,7 +9,7 @@ use exr::prelude::*;
 use std::path::Path;
 
 /// Index of the foam level that is exported: 0 is the smallest and finest of the square foam grids around the camera.
-const FOAM_LEVEL: usize = 1;
+const EXPORTED_FOAM_LEVEL: usize = 1;
 
 /// Writes the wave maps and one foam level of the sea of `params` at its time to a folder as OpenEXR files, with their
 /// description as plan.json. With `raw`, also bare texels: heights.f32 (m) and displacement.f16 (half floats).
@@ -20,7 +20,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
     create_folder(folder)?;
     let mut ocean = Ocean::without_renderer(gpu, params);
     let maps = ocean.read_maps().await?;
-    let foam = ocean.read_foam().await?.remove(FOAM_LEVEL);
+    let foam = ocean.read_foam().await?.remove(EXPORTED_FOAM_LEVEL);
     let plan = ocean.plan().clone();
     let n = maps.n;
     for c in 0..maps.cascade_count() {
@@ -40,7 +40,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
         write_exr(&folder.join(format!("cascade{c}_gradients.exr")), n, &gradients)?;
     }
     let channels: [Channel<'_>; 1] = [("foam", Box::new(|i| foam.foam[i]))];
-    write_exr(&folder.join("foam.exr"), foam.n, &channels)?;
+    write_exr(&folder.join("foam.exr"), foam.cells_per_side, &channels)?;
     if raw {
         let heights: Vec<f32> =
             (0..maps.cascade_count()).flat_map(|c| maps.displacement(c).iter().map(|d| d[1])).collect();
@@ -53,9 +53,9 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
     let about = serde_json::json!({
         "state": query::write(params),
         "t_s": params.clock.t_s,
-        "period_s": plan.period_s,
+        "period_s": plan.repeat_period_s,
         "axes": "+x east, +y up, +z south; column i holds x = i patch_m / n, row j holds z = j patch_m / n",
-        "chop_xz": plan.sea.choppiness(),
+        "chop_xz": plan.sea.choppiness_xz(),
         "level_m": plan.sea.still_water_level_m,
         "untile": plan.blends_copies,
         "notices": plan.notices,
@@ -65,7 +65,8 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
             "n": plan.n, "patch_m": c.patch_m, "k_low": c.k_low, "k_high": c.k_high,
         })).collect::<Vec<_>>(),
         "foam": {
-            "file": "foam.exr", "n": foam.n, "side_m": foam.n as f64 * foam.cell_m, "corner_xz_m": foam.corner,
+            "file": "foam.exr", "n": foam.cells_per_side, "side_m": foam.cells_per_side as f64 * foam.cell_m,
+            "corner_xz_m": foam.north_west_corner_m,
             "what": "foam 0..1 in undisplaced coordinates, first row at the smallest z; for the sea as drawn, which \
              blends shifted copies of the patches unless untile is false",
         },

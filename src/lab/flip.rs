@@ -37,7 +37,7 @@ pub fn flip_errors(reference: &SrgbPicture, test: &SrgbPicture, pixels_per_degre
             reference.width, reference.height, test.width, test.height
         ));
     }
-    let (a, b) = (filtered_lab(reference, pixels_per_degree), filtered_lab(test, pixels_per_degree));
+    let (a, b) = (perceived_lab(reference, pixels_per_degree), perceived_lab(test, pixels_per_degree));
     let (fa, fb) =
         (FeatureStrengths::new(reference, pixels_per_degree), FeatureStrengths::new(test, pixels_per_degree));
     let most = hyab_distance(lab_with_hunt_effect([0.0, 1.0, 0.0]), lab_with_hunt_effect([0.0, 0.0, 1.0]))
@@ -125,35 +125,35 @@ fn hyab_distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Maps a colour difference `x` (HyAB distance to the power 0.7; 0 to `most`, the largest possible one) to FLIP's scale
-/// from 0 to 1: linearly up to [`KNEE_DIFFERENCE_FRACTION`] of `most`, and with a smaller slope above.
-fn to_flip_scale(x: f64, most: f64) -> f64 {
-    let knee = KNEE_DIFFERENCE_FRACTION * most;
-    if x < knee {
-        KNEE_FLIP_VALUE / knee * x
+/// Maps a colour difference (HyAB distance to the power 0.7; 0 to `max_difference`, the largest possible one) to FLIP's
+/// scale from 0 to 1: linearly up to [`KNEE_DIFFERENCE_FRACTION`] of `max_difference`, and with a smaller slope above.
+fn to_flip_scale(difference: f64, max_difference: f64) -> f64 {
+    let knee = KNEE_DIFFERENCE_FRACTION * max_difference;
+    if difference < knee {
+        KNEE_FLIP_VALUE / knee * difference
     } else {
-        KNEE_FLIP_VALUE + (x - knee) / (most - knee) * (1.0 - KNEE_FLIP_VALUE)
+        KNEE_FLIP_VALUE + (difference - knee) / (max_difference - knee) * (1.0 - KNEE_FLIP_VALUE)
     }
 }
 
 /// L*a*b* (with the Hunt effect) of each pixel as an observer perceives it who sees `pixels_per_degree` pixels in a
 /// degree of visual angle: the eye's contrast sensitivity blurs luminance and the two opponent colours.
-fn filtered_lab(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
+fn perceived_lab(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> {
     // Weight and width of two Gaussians each for luminance, red-green and blue-yellow.
-    const SENSITIVITY: [[[f64; 2]; 2]; 3] =
+    const CONTRAST_SENSITIVITY_GAUSSIANS: [[[f64; 2]; 2]; 3] =
         [[[1.0, 0.0047], [0.0, 1e-5]], [[1.0, 0.0053], [0.0, 1e-5]], [[34.1, 0.04], [13.5, 0.025]]];
     let colours: Vec<[f64; 3]> = picture.pixels.iter().map(|&p| srgb_to_opponent(p)).collect();
     let radius = (3.0 * (0.04 / (2.0 * PI * PI)).sqrt() * pixels_per_degree).ceil() as i32;
     let offsets: Vec<f64> = (-radius..=radius).map(|i| f64::from(i) / pixels_per_degree).collect();
     let mut out = colours.clone();
-    for (channel, gaussians) in SENSITIVITY.iter().enumerate() {
+    for (channel, gaussians) in CONTRAST_SENSITIVITY_GAUSSIANS.iter().enumerate() {
         let plane: Vec<f64> = colours.iter().map(|c| c[channel]).collect();
         let (mut sum, mut whole) = (vec![0.0; plane.len()], 0.0);
         for [weight, width] in gaussians.iter().filter(|g| g[0] > 0.0) {
             let kernel: Vec<f64> = offsets.iter().map(|x| (-PI * PI * x * x / width).exp()).collect();
             let scale = weight * (PI / width).sqrt();
             whole += scale * kernel.iter().sum::<f64>().powi(2);
-            let blurred = filter_plane(&plane, picture.width, &kernel, &kernel);
+            let blurred = filter_channel_separably(&plane, picture.width, &kernel, &kernel);
             sum.iter_mut().zip(blurred).for_each(|(s, b)| *s += scale * b);
         }
         out.iter_mut().zip(sum).for_each(|(c, s)| c[channel] = s / whole);
@@ -162,7 +162,7 @@ fn filtered_lab(picture: &SrgbPicture, pixels_per_degree: f64) -> Vec<[f64; 3]> 
 }
 
 /// Filters one channel of a picture: rows by the kernel `along`, then columns by `down`. Border pixels are repeated.
-fn filter_plane(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64> {
+fn filter_channel_separably(plane: &[f64], width: usize, along: &[f64], down: &[f64]) -> Vec<f64> {
     let height = plane.len() / width;
     let reach = (along.len() / 2) as isize;
     let at = |i: usize, k: usize, last: usize| (i as isize + k as isize - reach).clamp(0, last as isize - 1) as usize;
@@ -202,8 +202,8 @@ impl FeatureStrengths {
         let blur: Vec<f64> = gauss.iter().map(|g| g / total).collect();
         let grey: Vec<f64> = picture.pixels.iter().map(|&p| (srgb_to_opponent(p)[0] + 16.0) / 116.0).collect();
         let size = |kernel: &[f64]| {
-            let x = filter_plane(&grey, picture.width, kernel, &blur);
-            let y = filter_plane(&grey, picture.width, &blur, kernel);
+            let x = filter_channel_separably(&grey, picture.width, kernel, &blur);
+            let y = filter_channel_separably(&grey, picture.width, &blur, kernel);
             x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).collect()
         };
         Self { edges: size(&first), points: size(&second) }

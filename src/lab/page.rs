@@ -7,12 +7,12 @@ use std::path::Path;
 
 /// A page of Markdown under construction: its text so far, and name and SVG text of its figures.
 #[derive(Clone, Debug, Default)]
-pub struct Page {
+pub struct MarkdownPage {
     text: String,
     figures: Vec<(String, String)>,
 }
 
-impl Page {
+impl MarkdownPage {
     /// Adds a heading. Level 1 is the title of the page.
     pub fn heading(&mut self, level: usize, text: &str) {
         let _ = writeln!(self.text, "{} {text}\n", "#".repeat(level));
@@ -51,7 +51,7 @@ impl Page {
     pub fn figure(&mut self, name: &str, figure: &Figure, caption: &str) -> Result<(), String> {
         let _ = writeln!(self.text, "![{}](validation/{name}.svg)\n", figure.title());
         self.paragraph(&format!("*{caption}*"));
-        self.keep_figure(name, figure)
+        self.store_figure_svg(name, figure)
     }
 
     /// Adds figures, two in a row, with one caption for all. Each is given as a pair: the name of its SVG file without
@@ -68,10 +68,10 @@ impl Page {
         }
         self.text.push('\n');
         self.paragraph(&format!("*{caption}*"));
-        figures.iter().try_for_each(|(name, figure)| self.keep_figure(name, figure))
+        figures.iter().try_for_each(|(name, figure)| self.store_figure_svg(name, figure))
     }
 
-    fn keep_figure(&mut self, name: &str, figure: &Figure) -> Result<(), String> {
+    fn store_figure_svg(&mut self, name: &str, figure: &Figure) -> Result<(), String> {
         self.figures.push((name.to_owned(), figure.svg()?));
         Ok(())
     }
@@ -82,7 +82,7 @@ impl Page {
     }
 
     /// File name without extension, and SVG text, of each figure that has been added to the page.
-    pub fn drawings(&self) -> &[(String, String)] {
+    pub fn figure_svgs(&self) -> &[(String, String)] {
         &self.figures
     }
 

@@ -1,12 +1,12 @@
 //! `seastate keys`: lists the keys of the state string from [`FIELDS`], as text or as Markdown.
 
-use super::page::Page;
+use super::page::MarkdownPage;
 use crate::state::fields::{FIELDS, Field, Group};
 use std::fmt::Write as _;
 
 /// Keys of the state string that are not in [`FIELDS`], each with its meaning as Markdown text. [`parameter_listing`]
 /// removes the markup.
-const SPECIAL_KEYS: [(&str, &str); 3] = [
+const KEYS_NOT_IN_FIELDS: [(&str, &str); 3] = [
     (
         "measured",
         "A buoy's spectrum, shown by `spectrum=measured`: bands f\\*S or f\\*S\\*alpha1\\*alpha2\\*r1\\*r2, separated \
@@ -34,7 +34,7 @@ pub fn parameter_listing() -> String {
         let _ = writeln!(text, "{:<10} {} (default {default}{unit})", field.key, field.allowed_values_text());
         let _ = writeln!(text, "           {}", field.help);
     }
-    for (key, meaning) in SPECIAL_KEYS {
+    for (key, meaning) in KEYS_NOT_IN_FIELDS {
         let _ = writeln!(text, "{key:<10} {}", meaning.replace(['\\', '`'], ""));
     }
     text
@@ -42,7 +42,7 @@ pub fn parameter_listing() -> String {
 
 /// The Markdown text of docs/parameters.md.
 pub fn parameters_markdown() -> String {
-    let mut page = Page::default();
+    let mut page = MarkdownPage::default();
     page.heading(1, "Parameters");
     page.paragraph(
         "Every parameter has a key in the state string, which holds only the values that differ from their defaults. \
@@ -51,17 +51,17 @@ pub fn parameters_markdown() -> String {
     );
     for group in Group::ALL {
         page.heading(2, group.label());
-        let rows: Vec<_> = FIELDS.iter().filter(|f| f.group == group).map(row).collect();
+        let rows: Vec<_> = FIELDS.iter().filter(|f| f.group == group).map(parameter_table_row).collect();
         page.table("key | name | unit | values | default | meaning", &rows);
     }
     page.heading(2, "Other keys");
-    for (key, meaning) in SPECIAL_KEYS {
+    for (key, meaning) in KEYS_NOT_IN_FIELDS {
         page.paragraph(&format!("`{key}`: {meaning}"));
     }
     page.markdown()
 }
 
-fn row(field: &Field) -> Vec<String> {
+fn parameter_table_row(field: &Field) -> Vec<String> {
     let unit = match field.unit {
         "deg" => "°",
         unit => unit,

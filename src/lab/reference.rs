@@ -13,7 +13,7 @@ const MAX_SAMPLES_PER_TARGET: u64 = 4_200_000;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
     /// Minimum number of samples per pixel; the colour of a pixel is their mean.
-    pub samples: u32,
+    pub min_samples_per_pixel: u32,
     /// Seed of the sample positions within a pixel.
     pub seed: u32,
 }
@@ -22,20 +22,20 @@ impl Sampling {
     /// Sample grids, rendered one after the other, that together give every pixel of a picture of `size` pixels at
     /// least `self.samples` samples. Each grid has at most `most` samples in total and at most `longest` along its
     /// width or height.
-    fn grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = SampleGrid> {
+    fn sample_grids(self, size: [u32; 2], most: u64, longest: u32) -> impl Iterator<Item = SampleGrid> {
         let fits = |side: &u32| {
             let [w, h] = size.map(|s| u64::from(s) * u64::from(*side));
-            side * side <= self.samples && w * h <= most && w.max(h) <= u64::from(longest)
+            side * side <= self.min_samples_per_pixel && w * h <= most && w.max(h) <= u64::from(longest)
         };
         let side = [16, 8, 4, 2].into_iter().find(fits).unwrap_or(1);
         let start = pcg4d([self.seed, 0, 0, 0]).map(|x| f64::from(x) / 4_294_967_296.0);
-        (0..self.samples.div_ceil(side * side)).map(move |i| {
+        (0..self.min_samples_per_pixel.div_ceil(side * side)).map(move |i| {
             // The R2 low-discrepancy sequence (Roberts 2018), shifted by the seed.
             let at = |from: f64, step: f64| (from + step * f64::from(i)).fract();
             SampleGrid {
                 size,
                 cells_per_pixel_side: side,
-                sample_offset: [at(start[0], 0.754_877_666_246_693), at(start[1], 0.569_840_290_998_053)],
+                sample_position_in_cell: [at(start[0], 0.754_877_666_246_693), at(start[1], 0.569_840_290_998_053)],
             }
         })
     }
@@ -92,7 +92,7 @@ pub async fn reference_light(
 ) -> Result<Vec<[f32; 3]>, String> {
     let width = size[0] as usize;
     let mut sums = vec![PixelSum::default(); width * size[1] as usize];
-    for grid in sampling.grids(size, MAX_SAMPLES_PER_TARGET, gpu.device.limits().max_texture_dimension_2d) {
+    for grid in sampling.sample_grids(size, MAX_SAMPLES_PER_TARGET, gpu.device.limits().max_texture_dimension_2d) {
         let mut encoder = gpu.encoder("samples");
         let texture = ocean.record_frame_samples(&mut encoder, &grid);
         let copy = readback::stage_texture(gpu, &mut encoder, &texture, 0);
@@ -142,8 +142,9 @@ mod tests {
     fn grids_hold_the_samples_that_were_asked_for() {
         for samples in [1, 3, 4, 64, 256, 1000] {
             for size in [[16, 9], [192, 108], [1280, 720], [8192, 8192]] {
-                let grids: Vec<SampleGrid> =
-                    Sampling { samples, seed: 1 }.grids(size, MAX_SAMPLES_PER_TARGET, 8192).collect();
+                let grids: Vec<SampleGrid> = Sampling { min_samples_per_pixel: samples, seed: 1 }
+                    .sample_grids(size, MAX_SAMPLES_PER_TARGET, 8192)
+                    .collect();
                 let count: u32 = grids.iter().map(|g| g.cells_per_pixel_side * g.cells_per_pixel_side).sum();
                 assert!(
                     (samples..samples + grids[0].cells_per_pixel_side.pow(2)).contains(&count),
@@ -153,9 +154,9 @@ mod tests {
             }
         }
         let at = |seed| {
-            Sampling { samples: 8, seed }
-                .grids([8192; 2], MAX_SAMPLES_PER_TARGET, 8192)
-                .map(|g| g.sample_offset)
+            Sampling { min_samples_per_pixel: 8, seed }
+                .sample_grids([8192; 2], MAX_SAMPLES_PER_TARGET, 8192)
+                .map(|g| g.sample_position_in_cell)
                 .collect::<Vec<_>>()
         };
         assert_ne!(at(1), at(2));

@@ -12,20 +12,20 @@ use std::path::Path;
 
 /// Distance of the camera's near plane, m. A depth texture holds the near plane's distance divided by the surface's
 /// distance, both along the viewing direction.
-const NEAR_M: f32 = 0.1;
+const NEAR_PLANE_M: f32 = 0.1;
 /// Distance that is written to OpenEXR files for sky pixels, m: compositing software expects a very large number.
-const SKY_M: f32 = 1e10;
+const SKY_DISTANCE_M: f32 = 1e10;
 
 /// Settings of `seastate render --frames`: a sequence of pictures over simulated time.
 #[derive(Clone, Debug)]
-pub struct Sequence {
+pub struct PictureSequence {
     /// Number of pictures in the sequence.
-    pub count: u32,
+    pub picture_count: u32,
     /// Pictures per second of the played sequence. The state's `speed` (simulated seconds per second) divided by this
     /// rate is the simulated time between two pictures.
     pub fps: f64,
     /// Whether each picture also gets an OpenEXR file with its linear light, distances (m) and surface normals.
-    pub layers: bool,
+    pub writes_layers: bool,
 }
 
 /// Renders the sea of `params` at its time to a PNG. With `sampling`, a reference picture of many samples per pixel.
@@ -61,7 +61,7 @@ pub async fn write_sequence(
     gpu: &Gpu,
     params: &Params,
     size: [u32; 2],
-    sequence: &Sequence,
+    sequence: &PictureSequence,
     folder: &Path,
 ) -> std::result::Result<String, String> {
     if !(sequence.fps.is_finite() && sequence.fps > 0.0) {
@@ -70,20 +70,20 @@ pub async fn write_sequence(
     create_folder(folder)?;
     let mut params = params.clone();
     let start_s = params.clock.t_s;
-    let film = if sequence.layers { OutputKind::ReadBack } else { OutputKind::Screen };
+    let film = if sequence.writes_layers { OutputKind::ReadBack } else { OutputKind::Screen };
     let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, film, &params);
-    for i in 0..sequence.count {
+    for i in 0..sequence.picture_count {
         params.clock.t_s = start_s + f64::from(i) / sequence.fps * params.clock.speed;
         ocean.set_params(&params);
         let pixels = draw_ocean_picture(gpu, &mut ocean, size).await?;
         let path = folder.join(format!("frame-{i:05}.png"));
         write_png(pixels, size, &path)?;
-        if sequence.layers {
+        if sequence.writes_layers {
             write_layers(gpu, &mut ocean, &params, size, &path.with_extension("exr")).await?;
         }
     }
-    let what = if sequence.layers { "pictures and layers" } else { "pictures" };
-    Ok(format!("{} {what} in {}", sequence.count, folder.display()))
+    let what = if sequence.writes_layers { "pictures and layers" } else { "pictures" };
+    Ok(format!("{} {what} in {}", sequence.picture_count, folder.display()))
 }
 
 /// Writes an OpenEXR file with the linear light, distances (m) and surface normals of the picture that was last drawn.
@@ -120,11 +120,11 @@ async fn write_layers(
             let i = at.y() * width + at.x();
             let [r, g, b] = [0, 1, 2].map(|c| light[4 * i + c]);
             if depth[i] <= 0.0 {
-                return (r, g, b, SKY_M, 0.0, 0.0, 0.0);
+                return (r, g, b, SKY_DISTANCE_M, 0.0, 0.0, 0.0);
             }
             // The debug view of normals maps the components east, north and up from -1..1 to 0..1.
             let [east, north, up] = [0, 1, 2].map(|c| 2.0 * normals[4 * i + c] - 1.0);
-            (r, g, b, NEAR_M / depth[i], east, up, -north)
+            (r, g, b, NEAR_PLANE_M / depth[i], east, up, -north)
         });
     Image::from_channels((width, size[1] as usize), channels)
         .write()
@@ -135,7 +135,7 @@ async fn write_layers(
 /// Reads back the linear light of the frame that `ocean` drew last: red, green, blue and alpha of each pixel, row by
 /// row.
 async fn light_of(gpu: &Gpu, ocean: &Ocean) -> std::result::Result<Vec<f32>, String> {
-    let texture = ocean.light_texture().ok_or("nothing was drawn")?;
+    let texture = ocean.lit_picture_texture().ok_or("nothing was drawn")?;
     let mut encoder = gpu.encoder("light");
     let copy = readback::stage_texture(gpu, &mut encoder, texture, 0);
     gpu.submit(encoder);

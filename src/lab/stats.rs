@@ -60,22 +60,22 @@ impl SeaStatistics {
             },
             "resolved": {
                 "m0_m2": r.variance_m2, "hs_m": r.hs_m, "tm01_s": r.tm01_s, "tm02_s": r.tm02_s, "mss": r.mss,
-                "k_max": t.k_max, "m0_fraction": r.m0_fraction, "r1": r.r1,
+                "k_max": t.k_max, "m0_fraction": r.m0_fraction, "r1": r.first_directional_moment,
                 "mean_from_deg": r.mean_from_deg, "spread_deg": r.spread_deg,
             },
             "measured": {
                 "hs_m": m.hs_m.value, "hs_se_m": m.hs_m.standard_error,
-                "mean_m": m.mean_m.value, "mean_se_m": m.mean_m.standard_error,
+                "mean_m": m.mean_elevation_m.value, "mean_se_m": m.mean_elevation_m.standard_error,
                 "mss": m.mss.value, "mss_se": m.mss.standard_error,
                 "tm01_s": m.tm01_s.value, "tm01_se_s": m.tm01_s.standard_error,
                 "tm02_s": m.tm02_s.value, "tm02_se_s": m.tm02_s.standard_error,
-                "from_deg": m.from_deg.map(|e| e.value), "from_se_deg": m.from_deg.map(|e| e.standard_error),
+                "from_deg": m.mean_from_deg.map(|e| e.value), "from_se_deg": m.mean_from_deg.map(|e| e.standard_error),
                 "r1": m.r1.value, "r1_se": m.r1.standard_error,
                 "spread_deg": m.spread_deg.value, "spread_se_deg": m.spread_deg.standard_error,
                 "skewness": m.skewness.value, "skewness_se": m.skewness.standard_error,
                 "kurtosis": m.kurtosis.value, "kurtosis_se": m.kurtosis.standard_error,
                 "whitecap_fraction": self.whitecap_fraction,
-                "parseval_error": m.parseval_error, "seeds": m.seeds,
+                "parseval_error": m.parseval_error, "seeds": m.seed_count,
             },
             "cascades": cascades,
         });
@@ -92,7 +92,7 @@ impl fmt::Display for SeaStatistics {
             None => value(e.value, digits),
         };
         let degrees = |d: Option<f64>| d.map_or("none".to_owned(), |d| value(d, 1));
-        let from = m.from_deg.map_or("none".to_owned(), |e| with_error(&e, 1));
+        let from = m.mean_from_deg.map_or("none".to_owned(), |e| with_error(&e, 1));
         let none = String::new;
         let mss = format!("mss to {:.1} rad/m", t.k_max);
         let rows: &[(&str, String, String, String)] = &[
@@ -109,11 +109,11 @@ impl fmt::Display for SeaStatistics {
             ("directional spread, deg", value(t.spread_deg, 1), value(r.spread_deg, 1), with_error(&m.spread_deg, 1)),
             ("Benjamin-Feir index", value(t.benjamin_feir, 3), none(), none()),
             ("resolved share of m0", none(), value(r.m0_fraction, 4), none()),
-            ("mean elevation, m", none(), none(), with_error(&m.mean_m, 4)),
+            ("mean elevation, m", none(), none(), with_error(&m.mean_elevation_m, 4)),
             ("skewness", none(), none(), with_error(&m.skewness, 4)),
             ("kurtosis", none(), none(), with_error(&m.kurtosis, 4)),
             ("whitecap fraction", value(t.whitecap_fraction, 4), none(), value(self.whitecap_fraction, 4)),
-            ("seeds", none(), none(), m.seeds.to_string()),
+            ("seeds", none(), none(), m.seed_count.to_string()),
         ];
         for (what, theory, resolved, measured) in rows {
             writeln!(f, "{what:<26} {theory:>12} {resolved:>12} {measured:>22}")?;

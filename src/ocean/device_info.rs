@@ -26,9 +26,9 @@ pub struct DeviceInfo {
     /// Names of the optional wgpu features that the device has and the program uses, such as "timestamps".
     pub features: Vec<&'static str>,
     /// Limits of the GPU: name, such as "texture side"; then the value that the program requests and the adapter's own.
-    pub limits: Vec<(&'static str, [u64; 2])>,
+    pub requested_and_adapter_limits: Vec<(&'static str, [u64; 2])>,
     /// Choices that the program made for this adapter, such as the texture format of the maps: names and values.
-    pub choices: Vec<(&'static str, String)>,
+    pub program_choices: Vec<(&'static str, String)>,
 }
 
 impl DeviceInfo {
@@ -38,8 +38,8 @@ impl DeviceInfo {
         let (asked, could) = (gpu.device.limits(), adapter.limits());
         let limit = |name, of: fn(&wgpu::Limits) -> u64| (name, [of(&asked), of(&could)]);
         let features = [
-            ("timestamps", timer::TIMESTAMPS),
-            ("timestamps between passes", timer::TIMESTAMPS_BETWEEN_PASSES),
+            ("timestamps", timer::TIMESTAMP_FEATURE),
+            ("timestamps between passes", timer::TIMESTAMPS_BETWEEN_PASSES_FEATURE),
             ("filtered floats", MapFormat::FILTERABLE_FLOATS),
         ];
         let transform = match FftImplementation::for_device(gpu) {
@@ -61,7 +61,7 @@ impl DeviceInfo {
                 .filter(|(_, f)| gpu.device.features().contains(*f))
                 .map(|(name, _)| *name)
                 .collect(),
-            limits: vec![
+            requested_and_adapter_limits: vec![
                 limit("texture side", |l| l.max_texture_dimension_2d.into()),
                 limit("texture layers", |l| l.max_texture_array_layers.into()),
                 limit("buffer, bytes", |l| l.max_buffer_size),
@@ -71,7 +71,7 @@ impl DeviceInfo {
                 limit("workgroup memory, bytes", |l| l.max_compute_workgroup_storage_size.into()),
                 limit("threads of a workgroup", |l| l.max_compute_invocations_per_workgroup.into()),
             ],
-            choices: vec![("transform", transform.to_owned()), ("maps", maps.to_owned())],
+            program_choices: vec![("transform", transform.to_owned()), ("maps", maps.to_owned())],
         }
     }
 
@@ -89,8 +89,12 @@ impl DeviceInfo {
             ("vendor, device", format!("{vendor:#06x}, {device:#06x}")),
             ("features", if self.features.is_empty() { "none".to_owned() } else { self.features.join(", ") }),
         ];
-        rows.extend(self.choices.iter().cloned());
-        rows.extend(self.limits.iter().map(|(name, [asked, could])| (*name, format!("{asked} of {could}"))));
+        rows.extend(self.program_choices.iter().cloned());
+        rows.extend(
+            self.requested_and_adapter_limits
+                .iter()
+                .map(|(name, [asked, could])| (*name, format!("{asked} of {could}"))),
+        );
         rows
     }
 }

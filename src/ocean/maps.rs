@@ -8,11 +8,11 @@ use crate::sim::resources::MapKind;
 #[derive(Clone, Debug)]
 pub struct FoamMap {
     /// Number of cells along a side of the square grid.
-    pub n: usize,
+    pub cells_per_side: usize,
     /// Side of a cell, m.
     pub cell_m: f64,
     /// World x and z of the grid's corner with the smallest coordinates (north-west), m.
-    pub corner: [f64; 2],
+    pub north_west_corner_m: [f64; 2],
     /// Foam in each cell, 0 (none) to 1 (fully covered), row by row from north to south, each row from west to east.
     pub foam: Vec<f32>,
 }
@@ -55,12 +55,12 @@ impl Ocean {
         let texels = copy.read_map(&self.gpu).await?;
         let n = self.sim.resources.foam_n as usize;
         let map = |(level, texels): (&crate::sim::FoamLevel, &[[f32; 4]])| {
-            let corner = level.centre.map(|x| x - 0.5 * n as f64 * level.cell_m);
+            let corner = level.centre_m.map(|x| x - 0.5 * n as f64 * level.cell_m);
             // A cell is stored at its world index modulo n.
             let first = corner.map(|x| (x / level.cell_m).round() as i64);
             let place = |i: usize, axis: usize| (first[axis] + i as i64).rem_euclid(n as i64) as usize;
             let foam = (0..n * n).map(|i| texels[place(i / n, 1) * n + place(i % n, 0)][0]).collect();
-            FoamMap { n, cell_m: level.cell_m, corner, foam }
+            FoamMap { cells_per_side: n, cell_m: level.cell_m, north_west_corner_m: corner, foam }
         };
         Ok(self.maps().foam_levels.iter().zip(texels.chunks(n * n)).map(map).collect())
     }

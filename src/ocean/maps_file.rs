@@ -23,7 +23,7 @@ pub fn exr_layer(n: usize, attributes: LayerAttributes, channels: &[Channel<'_>]
 /// The three OpenEXR channels X, Y and Z of the cascade with the index `cascade`: displacement of the water to the
 /// east, up and to the south, m. X and Z are multiplied by the choppiness of `plan`.
 pub fn displacement_channels<'a>(plan: &Plan, maps: &'a MapsF32, cascade: usize) -> [Channel<'a>; 3] {
-    let (chop, d) = (plan.sea.choppiness().map(|l| l as f32), maps.displacement(cascade));
+    let (chop, d) = (plan.sea.choppiness_xz().map(|l| l as f32), maps.displacement(cascade));
     [
         ("X", Box::new(move |i| chop[0] * d[i][0])),
         ("Y", Box::new(move |i| d[i][1])),

@@ -26,7 +26,7 @@ use std::sync::Arc;
 pub use crate::render::{OutputKind, SampleGrid, TimedPart};
 pub use crate::sim::map_statistics::{MapStatistics, PendingMapRead};
 pub use crate::sim::maps::{Maps, MapsF32};
-pub use crate::waves::foam::FOAM_LEVELS;
+pub use crate::waves::foam::FOAM_LEVEL_COUNT;
 pub use interpolated::DrawnSea;
 
 /// Least height of the eye above the still water, m. If waves are higher, a GPU pass raises the eye further above them.
@@ -181,15 +181,17 @@ impl Ocean {
         self.sim.plan()
     }
 
-    /// The plans whose waves are drawn at this moment. The height of a water particle above [`Self::level_m`] (and its
-    /// displacement, slope and velocity) is the sum over these plans, each cascade times its amplitude factor. Outside
-    /// transitions there is one plan, with factors of 1. While a slider is dragged, similar plans are merged.
+    /// The plans whose waves are drawn at this moment. The height of a water particle above
+    /// [`Self::still_water_level_m`] (and its displacement, slope and velocity) is the sum over these plans, each
+    /// cascade times its amplitude factor. Outside transitions there is one plan, with factors of 1. While a slider is
+    /// dragged, similar plans are merged.
     pub fn drawn_seas(&self) -> Vec<DrawnSea> {
         let maps = self.sim.maps();
-        let (fading, own) = maps.cascades.split_at(maps.fading_count);
+        let (fading, own) = maps.cascades.split_at(maps.fading_cascade_count);
         let (old, now) = self.plans.fading_and_current();
         let of = |plans: &WeightedPlans, cascades: &[MapCascade]| -> Vec<DrawnSea> {
-            let weights = |share: f64| cascades.iter().map(|c| share * f64::from(c.amplitude_factor)).collect();
+            let weights =
+                |share: f64| cascades.iter().map(|c| share * f64::from(c.cross_fade_amplitude_factor)).collect();
             plans
                 .0
                 .iter()
@@ -200,8 +202,8 @@ impl Ocean {
     }
 
     /// World height of the still water that is drawn, m; during a transition it moves towards that of the parameters.
-    pub fn level_m(&self) -> f64 {
-        self.appearance.blended_value(self.sim.cross_fade_weight()).still_water_level_m
+    pub fn still_water_level_m(&self) -> f64 {
+        self.appearance.cross_faded_value(self.sim.cross_fade_weight()).still_water_level_m
     }
 
     /// The timer that measures the GPU times of the parts of a frame; simulation and renderer mark each part's end.
@@ -250,7 +252,7 @@ impl Ocean {
     }
 
     /// Texture with the linear light (before exposure) of the last recorded frame; None before the first frame.
-    pub fn light_texture(&self) -> Option<&wgpu::Texture> {
+    pub fn lit_picture_texture(&self) -> Option<&wgpu::Texture> {
         self.renderer.as_ref().and_then(Renderer::light_texture)
     }
 
@@ -306,7 +308,7 @@ impl Ocean {
         let (old, now) = self.appearance.fading_and_current();
         let sea = SeaAppearance {
             finest_cascade_slope_variance: now.finest_cascade_slope_variance,
-            ..self.appearance.blended_value(share)
+            ..self.appearance.cross_faded_value(share)
         };
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
         Scene {
@@ -319,7 +321,7 @@ impl Ocean {
             height_from_waves: self.params.camera.mode == CameraMode::Buoy,
             hulls: self.hull_poses(),
             colour_scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.displayed, plan, layer)),
-            fading: old.map(|old| FadingSea {
+            fading_sea: old.map(|old| FadingSea {
                 finest_cascade_slope_variance: old.finest_cascade_slope_variance,
                 variance_fraction: 1.0 - share,
             }),
@@ -332,16 +334,16 @@ impl Ocean {
     /// Positions and orientations of the buoys and boats at the time of the parameters, in the order in which the
     /// parameters list them; empty until a frame with them has been recorded.
     pub fn hull_poses(&self) -> Vec<HullPose> {
-        let (seas, level_m) = (self.drawn_seas(), self.level_m());
+        let (seas, level_m) = (self.drawn_seas(), self.still_water_level_m());
         let on = |sea: &DrawnSea| self.hull_waves.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
         let lines: Option<Vec<_>> = seas.iter().map(|sea| Some((on(sea)?, sea.amplitude_factors[0]))).collect();
         let Some(lines) = lines else { return Vec::new() };
-        self.params.floats.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
+        self.params.floating_objects.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
     }
 
     /// Updates `hull_waves`, the waves that move the floating objects, for the plans drawn now; empty without objects.
     fn select_hull_waves(&mut self) {
-        if self.params.floats.is_empty() {
+        if self.params.floating_objects.is_empty() {
             self.hull_waves.clear();
             return;
         }

@@ -25,11 +25,11 @@ pub enum WavePass {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MapSizes {
     /// Number of points along a side of the FFT, and of texels along a side of a map.
-    pub n: u32,
+    pub map_texels_per_side: u32,
     /// Number of cascades, patches of sea with an FFT of their own.
     pub cascades: u32,
     /// Number of cells along a side of a foam level, one of the square foam grids around the camera.
-    pub foam_n: u32,
+    pub foam_cells_per_side: u32,
     /// Format of the texels of the maps and of the foam texture: half or single floats.
     pub format: MapFormat,
 }
@@ -57,7 +57,7 @@ impl Ocean {
     pub fn map_sizes(&self) -> MapSizes {
         let r = &self.sim.resources;
         let cascades = self.plan().cascades.len() as u32;
-        MapSizes { n: r.n, cascades, foam_n: r.foam_n, format: r.format }
+        MapSizes { map_texels_per_side: r.n, cascades, foam_cells_per_side: r.foam_n, format: r.format }
     }
 }
 

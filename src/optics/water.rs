@@ -10,13 +10,13 @@ const WAVELENGTH_STEP_NM: f64 = 25.0;
 /// Wavelengths, nm, at which the tables of optical properties are read for the display's red, green and blue.
 const PRIMARY_WAVELENGTHS_NM: [f64; 3] = [610.0, 550.0, 465.0];
 /// Absorption coefficients of pure water at [`PRIMARY_WAVELENGTHS_NM`] (red, green, blue), 1/m (Pope and Fry 1997).
-const PURE_ABSORPTION: [f64; 3] = [0.2644, 0.0565, 0.0101];
+const PURE_WATER_ABSORPTION_PER_M: [f64; 3] = [0.2644, 0.0565, 0.0101];
 /// Mean cosine of the angle of downwelling light to the vertical. Absorption plus backscattering is this value times
 /// the diffuse attenuation coefficient Kd.
 const DOWNWELLING_MEAN_COSINE: f64 = 0.9;
 /// Backward part of the light scattered by the mineral particles of coastal water, as a fraction of all light that they
 /// scatter (Petzold 1972).
-const COASTAL_BACKSCATTER: f64 = 0.013;
+const COASTAL_BACKSCATTER_RATIO: f64 = 0.013;
 
 /// Jerlov's optical types of ocean (I to III) and coastal water (1C to 9C), clearest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +54,7 @@ impl WaterType {
     /// Diffuse attenuation coefficient Kd of downwelling light, 1/m, at the 13 wavelengths 400, 425 ... 700 nm (Jerlov
     /// 1976, tables XXVI and XXVII).
     #[rustfmt::skip]
-    fn attenuation(self) -> [f64; 13] {
+    fn diffuse_attenuation_per_m(self) -> [f64; 13] {
         match self {
             Self::I => [0.028, 0.022, 0.019, 0.018, 0.027, 0.043, 0.063, 0.089, 0.235, 0.305, 0.36, 0.42, 0.56],
             Self::Ia => [0.038, 0.031, 0.026, 0.025, 0.032, 0.048, 0.067, 0.094, 0.24, 0.31, 0.37, 0.43, 0.57],
@@ -93,7 +93,7 @@ pub struct WaterOptics {
 impl WaterOptics {
     /// Optical properties of one of Jerlov's water types.
     pub fn of_type(water_type: WaterType) -> Self {
-        let table = water_type.attenuation();
+        let table = water_type.diffuse_attenuation_per_m();
         let kd = |nm: f64| {
             let x = (nm - FIRST_WAVELENGTH_NM) / WAVELENGTH_STEP_NM;
             let i = (x as usize).min(table.len() - 2);
@@ -108,10 +108,11 @@ impl WaterOptics {
         for (i, nm) in PRIMARY_WAVELENGTHS_NM.into_iter().enumerate() {
             let sea_water = 0.00288 * (nm / 500.0).powf(-4.32);
             let share = 0.002 + 0.01 * (0.5 - 0.25 * log) * (nm / 550.0).powf(slope);
-            let share = if water_type.is_coastal() { COASTAL_BACKSCATTER } else { share };
+            let share = if water_type.is_coastal() { COASTAL_BACKSCATTER_RATIO } else { share };
             out.scattering[i] = sea_water + particles_550;
             out.backscatter[i] = 0.5 * sea_water + share * particles_550;
-            out.absorption[i] = (DOWNWELLING_MEAN_COSINE * kd(nm) - out.backscatter[i]).max(PURE_ABSORPTION[i]);
+            out.absorption[i] =
+                (DOWNWELLING_MEAN_COSINE * kd(nm) - out.backscatter[i]).max(PURE_WATER_ABSORPTION_PER_M[i]);
         }
         out
     }
@@ -187,7 +188,7 @@ mod tests {
         // a + bb = 0.9 Kd unless pure water alone absorbs more.
         for water_type in WaterType::ALL {
             let water = WaterOptics::of_type(water_type);
-            let kd_550 = water_type.attenuation()[6];
+            let kd_550 = water_type.diffuse_attenuation_per_m()[6];
             let sum = water.absorption[1] + water.backscatter[1];
             assert!((sum / (0.9 * kd_550) - 1.0).abs() < 0.05, "{water_type:?}: {sum} for {kd_550}");
         }

@@ -1,14 +1,14 @@
 //! Reference implementations in f64 of the map passes rows.wgsl, columns.wgsl and mips.wgsl in shaders/waves.
 
-use super::transform::inverse;
-use super::{Complex, Texel, add, map_columns, mul, scale, signed_index, times_i, unit_phasor};
+use super::transform::inverse_dft;
+use super::{Complex, Texel, add, apply_to_columns, mul, scale, signed_index, times_i, unit_phasor};
 use crate::waves::plan::{Cascade, Plan};
 use std::f64::consts::TAU;
 
 /// Displacement map, texels (Dx, eta, Dz, dDx/dz), and gradient map, texels (d eta/dx, d eta/dz, dDx/dx, dDz/dz), of a
 /// cascade: n x n texels each, row by row, with the elevation eta and the horizontal displacement D in m. After the
 /// transform along rows only, each texel is two complex numbers instead.
-pub type MapPair = [Vec<Texel>; 2];
+pub type CascadeMapPair = [Vec<Texel>; 2];
 
 /// Complex amplitudes h(k, t), m, of a cascade's n x n waves at time `t_s` (s), from the initial amplitudes `h0` (m);
 /// both are row by row in FFT order.
@@ -22,7 +22,10 @@ pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64
             if ix == 0 && iz == 0 {
                 return [0.0, 0.0];
             }
-            let turns = plan.wave(cascade, (ix * ix + iz * iz) as u32).cycles_per_period.wrapping_mul(phase_time);
+            let turns = plan
+                .wave_at_squared_index(cascade, (ix * ix + iz * iz) as u32)
+                .cycles_per_period
+                .wrapping_mul(phase_time);
             let phase = unit_phasor(TAU * f64::from(turns) / 4_294_967_296.0);
             let back = h0[(n - z) % n * n + (n - x) % n];
             add(mul(h0[i], [phase[0], -phase[1]]), mul([back[0], -back[1]], phase))
@@ -33,7 +36,7 @@ pub fn evolved_spectrum(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64
 /// First of the two passes of a cascade's inverse Fourier transform at time `t_s` (s), along rows (x): computes the
 /// spectra of the eight map channels from the initial amplitudes `h0` (m), packs pairs of real channels f and g as f +
 /// i g, and transforms every row.
-pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> MapPair {
+pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) -> CascadeMapPair {
     let n = plan.n as usize;
     let h = evolved_spectrum(plan, cascade, h0, t_s);
     let packed = |pair: usize, i: usize| -> Texel {
@@ -43,7 +46,7 @@ pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) 
         if k == 0.0 {
             return [0.0; 4];
         }
-        let orbit = plan.wave(cascade, (ix * ix + iz * iz) as u32).orbit_axis_ratio;
+        let orbit = plan.wave_at_squared_index(cascade, (ix * ix + iz * iz) as u32).orbit_axis_ratio;
         // docs/sea.md, "Synthesis": D = i k/|k| coth(k depth) h, dDx/dz = -(kx kz/|k|) coth(k depth) h.
         let h = h[i];
         let pack = |f: Complex, g: Complex| add(f, times_i(g));
@@ -64,8 +67,8 @@ pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) 
 
 /// Second of the two passes of the inverse Fourier transform, along columns (z): transforms every column of the result
 /// `rows` of [`transform_rows`] and unpacks the displacement map and the gradient map.
-pub fn transform_columns(n: usize, rows: &MapPair) -> MapPair {
-    let [displacement, gradients] = [0, 1].map(|pair| map_columns(n, &rows[pair], transform_line));
+pub fn transform_columns(n: usize, rows: &CascadeMapPair) -> CascadeMapPair {
+    let [displacement, gradients] = [0, 1].map(|pair| apply_to_columns(n, &rows[pair], transform_line));
     // The packed displacement texel is (Dx + i Dz, eta + i dDx/dz).
     [displacement.into_iter().map(|t| [t[0], t[2], t[1], t[3]]).collect(), gradients]
 }
@@ -88,7 +91,7 @@ pub fn slope_moments(gradients: &[Texel], scale: f64) -> Vec<Texel> {
 }
 
 fn transform_line(line: &[Texel]) -> Vec<Texel> {
-    let first = inverse(&line.iter().map(|t| [t[0], t[1]]).collect::<Vec<_>>());
-    let second = inverse(&line.iter().map(|t| [t[2], t[3]]).collect::<Vec<_>>());
+    let first = inverse_dft(&line.iter().map(|t| [t[0], t[1]]).collect::<Vec<_>>());
+    let second = inverse_dft(&line.iter().map(|t| [t[2], t[3]]).collect::<Vec<_>>());
     first.into_iter().zip(second).map(|(a, b)| [a[0], a[1], b[0], b[1]]).collect()
 }

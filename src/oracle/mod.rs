@@ -43,7 +43,7 @@ pub fn signed_index(i: usize, n: usize) -> i32 {
 }
 
 /// Returns the n x n array `square` (row by row) with the function `line` applied to every column.
-fn map_columns<T: Copy + Default>(n: usize, square: &[T], line: impl Fn(&[T]) -> Vec<T>) -> Vec<T> {
+fn apply_to_columns<T: Copy + Default>(n: usize, square: &[T], line: impl Fn(&[T]) -> Vec<T>) -> Vec<T> {
     let mut out = vec![T::default(); n * n];
     for x in 0..n {
         let column: Vec<T> = square[x..].iter().step_by(n).copied().collect();

@@ -22,10 +22,10 @@ fn initial_amplitude(plan: &Plan, cascade: &Cascade, ix: i32, iz: i32) -> Comple
     if outside || ix == nyquist || iz == nyquist {
         return [0.0, 0.0];
     }
-    let wave = plan.wave(cascade, i2);
+    let wave = plan.wave_at_squared_index(cascade, i2);
     debug_assert!((wave.k / length - 1.0).abs() < 1e-12);
     let density: f64 = (plan.systems.iter())
-        .map(|s| plan.cell_variance_per_radian(s, cascade, &wave) * s.direction_density(wave.omega, k))
+        .map(|s| plan.lattice_cell_variance_m2_per_rad(s, cascade, &wave) * s.direction_density(wave.omega, k))
         .sum();
     let amplitude = 0.5 * density.sqrt();
     noise::complex_gaussian(noise::noise_words(plan.sea.seed, cascade.noise_key, ix, iz)).map(|x| x * amplitude)

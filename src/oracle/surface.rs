@@ -31,10 +31,10 @@ impl WaveFields {
 /// `read` returns the displacement and gradient texels of the patch at a position (x, z) in units of its side.
 pub fn blend_patch_copies(tiling: &Tiling, at: [f64; 2], read: impl Fn([f64; 2]) -> [Texel; 2]) -> WaveFields {
     let mut out = WaveFields::default();
-    for copy in tiling.blend(at).iter().filter(|c| c.weight > 0.0) {
-        let place = [0, 1].map(|i| (at[i] / tiling.patch_m).rem_euclid(1.0) + copy.shift[i]);
+    for copy in tiling.patch_copies_at(at).iter().filter(|c| c.weight > 0.0) {
+        let place = [0, 1].map(|i| (at[i] / tiling.patch_m).rem_euclid(1.0) + copy.shift_in_patches[i]);
         let [[dx, eta, dz, shear], [sx, sz, xx, zz]] = read(place);
-        let (w, [wx, wz]) = (copy.weight, copy.gradient);
+        let (w, [wx, wz]) = (copy.weight, copy.weight_gradient_per_m);
         out = out.plus(&WaveFields {
             displacement: [w * dx, w * eta, w * dz],
             slope: [w * sx + wx * eta, w * sz + wz * eta],

@@ -50,7 +50,7 @@ impl BuoyRecord {
         }
         if self.samples_since_spectrum >= (SPECTRUM_INTERVAL_S * SAMPLE_RATE_HZ) as usize {
             let heights: Vec<f64> = self.samples.iter().map(|s| s[1]).collect();
-            self.spectrum = record::spectrum(&heights, SAMPLE_RATE_HZ);
+            self.spectrum = record::welch_spectrum(&heights, SAMPLE_RATE_HZ);
             self.samples_since_spectrum = 0;
         }
     }

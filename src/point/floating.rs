@@ -10,7 +10,7 @@ use glam::DVec3;
 /// Largest rms height of the waves that a hull's heave leaves out, as a fraction of the significant wave height.
 const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
 /// Number of waves that make a hull pitch and roll: the strongest waves, which are mostly long.
-const TILTING_WAVES: usize = 500;
+const TILT_WAVE_COUNT: usize = 500;
 /// FFT size to which a plan is reduced to select the waves that move hulls; a larger FFT only adds short waves.
 const MAX_FFT_SIZE: u32 = 128;
 
@@ -28,7 +28,7 @@ pub struct HullPose {
 }
 
 /// Half the length and half the width, m, of a hull's waterplane (its outline at the water surface).
-fn half_size_m(kind: FloatingObjectKind) -> [f64; 2] {
+fn half_length_and_width_m(kind: FloatingObjectKind) -> [f64; 2] {
     match kind {
         FloatingObjectKind::Buoy => [0.8, 0.8],
         FloatingObjectKind::Boat => [3.2, 1.0],
@@ -53,7 +53,7 @@ impl HullWaves {
         let plan = &plan.with_fft_size_at_most(MAX_FFT_SIZE);
         Self {
             heave_waves: StrongestWaves::for_height_error(plan, MAX_HEIGHT_ERROR_TO_HS * plan.hs_m()),
-            tilt_waves: StrongestWaves::new(plan, TILTING_WAVES),
+            tilt_waves: StrongestWaves::new(plan, TILT_WAVE_COUNT),
             upwind: plan.downwind.map(|d| -d),
             still_water_level_m: plan.sea.still_water_level_m,
         }
@@ -68,7 +68,7 @@ impl HullWaves {
     /// Returns heave (m above still water), pitch and roll of a hull at time `t_s` (s). `bow` is the unit vector (x, z)
     /// towards the bow. Pitch is the mean slope of the water from stern to bow, roll from port to starboard (both m/m).
     fn heave_pitch_roll(&self, float: &FloatingObject, bow: [f64; 2], t_s: f64) -> [f64; 3] {
-        let [length, width] = half_size_m(float.kind);
+        let [length, width] = half_length_and_width_m(float.kind);
         let height = |along: f64, across: f64| {
             let x = float.x_m + along * bow[0] - across * bow[1];
             let z = float.z_m + along * bow[1] + across * bow[0];

@@ -6,7 +6,7 @@ use super::water::mesh::{Mesh, MeshLattice};
 use crate::gpu::layout::gpu_struct;
 use crate::sim::Maps;
 use crate::sim::maps::{FoamLevel, MAX_DRAWN_CASCADES, MapCascade, TileLatticePosition};
-use crate::waves::foam::FOAM_LEVELS;
+use crate::waves::foam::FOAM_LEVEL_COUNT;
 use crate::waves::slopes::SlopeVariance;
 use std::f64::consts::PI;
 
@@ -123,7 +123,7 @@ gpu_struct! {
         /// Cascades of all drawn seas, then their ripple layers (shrunk copies of cascades); the rest is unused.
         pub cascades: [FrameCascade; MAX_FRAME_CASCADES],
         /// Foam levels (nested square foam grids around the camera), the one with the smallest cells first.
-        pub foam_levels: [FrameFoamGrid; FOAM_LEVELS],
+        pub foam_levels: [FrameFoamGrid; FOAM_LEVEL_COUNT],
     }
 }
 
@@ -138,7 +138,7 @@ impl FrameCascade {
             moment_unit: cascade.moment_unit,
             shortest_wave_texels: (cascade.shortest_wavelength_m * n / cascade.patch_m) as f32,
             layer: cascade.layer,
-            variance_correction: cascade.variance_correction,
+            variance_correction: cascade.cross_fade_variance_factor,
             slope_scale: 1.0,
         }
     }
@@ -163,7 +163,7 @@ impl FrameFoamGrid {
     fn new(level: &FoamLevel, below_eye: [f64; 2], cells: u32) -> Self {
         let side_m = f64::from(cells) * level.cell_m;
         Self {
-            centre: [0, 1].map(|axis| (level.centre[axis] - below_eye[axis]) as f32),
+            centre: [0, 1].map(|axis| (level.centre_m[axis] - below_eye[axis]) as f32),
             half_side_m: (0.5 * side_m - 2.0 * level.cell_m) as f32,
             inverse_cell: (1.0 / level.cell_m) as f32,
             uv_below_eye: below_eye.map(|x| (x / side_m).rem_euclid(1.0) as f32),
@@ -183,7 +183,8 @@ impl FrameUniform {
         let ripples =
             shown.iter().map(|(cascade, fraction)| FrameCascade::new_ripples(cascade, *fraction, below_eye, n));
         let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, below_eye, n));
-        let levels = maps.foam_levels.iter().map(|level| FrameFoamGrid::new(level, below_eye, maps.foam_n));
+        let levels =
+            maps.foam_levels.iter().map(|level| FrameFoamGrid::new(level, below_eye, maps.foam_cells_per_side));
         let [tx, ty] = view.tan_half_fov;
         let disc = look.sky.sun_radius_rad().sin().powi(2);
         Self {
@@ -250,11 +251,11 @@ fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64
     let own = (
         maps.cascades.last(),
         sea.finest_cascade_slope_variance,
-        1.0 - scene.fading.map_or(0.0, |f| f.variance_fraction),
+        1.0 - scene.fading_sea.map_or(0.0, |f| f.variance_fraction),
     );
-    let fading = scene
-        .fading
-        .map(|f| (maps.cascades[..maps.fading_count].last(), f.finest_cascade_slope_variance, f.variance_fraction));
+    let fading = scene.fading_sea.map(|f| {
+        (maps.cascades[..maps.fading_cascade_count].last(), f.finest_cascade_slope_variance, f.variance_fraction)
+    });
     for (cascade, finest, weight) in std::iter::once(own).chain(fading) {
         // Ripples scale both slope components of their cascade alike; neither may exceed the unresolved variance.
         let fraction = |i: usize| if finest[i] > 1e-5 { sea.unresolved_slope_variance[i] / finest[i] } else { 0.0 };

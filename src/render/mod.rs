@@ -35,7 +35,7 @@ use sky::background::BackgroundPass;
 use sky::tables::SkyTables;
 use sky::uniform::{FogUniform, LightBuffer, SkyUniform};
 use targets::Targets;
-use views::{ViewPass, ViewTile, ViewUniform};
+use views::{FalseColourPass, ViewTile, ViewUniform};
 use water::displace::MeshVertex;
 use water::eye::EyePass;
 use water::hulls::{HullPass, HullVertex};
@@ -92,7 +92,7 @@ pub struct Renderer {
     targets: Option<Targets>,
     screen_format: wgpu::TextureFormat,
     /// Passes of the false-colour views; None until a view is first shown.
-    view_pass: Option<ViewPass>,
+    view_pass: Option<FalseColourPass>,
     /// Whether the last frame shows a false-colour view instead of the picture.
     shows_view: bool,
     timer: Timer,
@@ -151,11 +151,11 @@ impl Renderer {
         self.shows_view = scene.look.view.displayed != DisplayedView::Picture;
         if self.shows_view {
             self.record_view(gpu, encoder, maps, scene);
-            self.timer.mark(encoder, "view");
+            self.timer.end_part(encoder, "view");
         } else {
             self.record_picture(gpu, encoder, scene);
             self.present_pass.record_bloom(encoder);
-            self.timer.mark(encoder, "bloom");
+            self.timer.end_part(encoder, "bloom");
         }
     }
 
@@ -188,8 +188,9 @@ impl Renderer {
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
             self.water.displace(encoder);
         }
-        let make =
-            || ViewPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water, self.screen_format);
+        let make = || {
+            FalseColourPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water, self.screen_format)
+        };
         let view = self.view_pass.get_or_insert_with(make);
         view.draw(gpu, encoder, (maps, scene), &self.water, targets);
     }
@@ -199,17 +200,17 @@ impl Renderer {
     fn record_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
         self.eye.run(encoder, scene, &self.water);
-        self.timer.mark(encoder, "eye");
+        self.timer.end_part(encoder, "eye");
         self.sky.record_outdated_tables(gpu, encoder, scene);
-        self.timer.mark(encoder, "sky tables");
+        self.timer.end_part(encoder, "sky tables");
         self.water.record_g_buffer(encoder, targets);
-        self.timer.mark(encoder, "mesh");
+        self.timer.end_part(encoder, "mesh");
         let mut pass = targets.begin_picture(encoder, true);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw_light(&mut pass);
         self.hulls.draw(&mut pass, &self.water.scene);
         drop(pass);
-        self.timer.mark(encoder, "picture");
+        self.timer.end_part(encoder, "picture");
     }
 
     /// Records one part of the last picture again, alone, even if its results are up to date, to measure its GPU time.

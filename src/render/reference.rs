@@ -31,7 +31,7 @@ pub struct SampleGrid {
     /// Number of cells, and so of samples, along each side of a pixel.
     pub cells_per_pixel_side: u32,
     /// Position of every sample in its cell, as a fraction of the cell's side, 0 to 1, to the right and downwards.
-    pub sample_offset: [f64; 2],
+    pub sample_position_in_cell: [f64; 2],
 }
 
 impl SampleGrid {
@@ -40,10 +40,14 @@ impl SampleGrid {
         self.size.map(|s| s * self.cells_per_pixel_side)
     }
 
-    /// Shift (x, y) of the picture in clip coordinates that moves samples from their cells' centres to `sample_offset`.
+    /// Shift (x, y) of the picture in clip coordinates that moves samples from their cells' centres to
+    /// `sample_position_in_cell`.
     fn clip_shift(&self) -> [f32; 2] {
         let [w, h] = self.sample_counts().map(f64::from);
-        [(-2.0 * (self.sample_offset[0] - 0.5) / w) as f32, (2.0 * (self.sample_offset[1] - 0.5) / h) as f32]
+        [
+            (-2.0 * (self.sample_position_in_cell[0] - 0.5) / w) as f32,
+            (2.0 * (self.sample_position_in_cell[1] - 0.5) / h) as f32,
+        ]
     }
 }
 

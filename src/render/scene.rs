@@ -23,7 +23,7 @@ pub struct Scene {
     /// Properties of the drawn sea; during a transition, interpolated between those of the old and the new sea.
     pub sea: SeaAppearance,
     /// The old sea while it fades out in a cross-fade to a sea with other waves; None otherwise.
-    pub fading: Option<FadingSea>,
+    pub fading_sea: Option<FadingSea>,
     /// Mean amount of foam, 0 (none) to 1 (full cover), that is expected for the sea state; drawn where no foam level
     /// (square foam grid around the camera) reaches.
     pub mean_foam: f64,
@@ -67,7 +67,7 @@ impl SeaAppearance {
     pub fn new(plan: &Plan, look: &Look) -> Self {
         let wind_m_s = plan.sea.first_system().wind_m_s;
         Self {
-            choppiness: plan.sea.choppiness(),
+            choppiness: plan.sea.choppiness_xz(),
             hs_m: plan.hs_m(),
             depth_m: plan.sea.depth_m,
             still_water_level_m: plan.sea.still_water_level_m,
@@ -93,7 +93,7 @@ impl SeaAppearance {
 
     /// A copy with the choppiness and still-water level of `plan`, a plan of the same waves; the rest stays as it is.
     pub fn with_surface_of(&self, plan: &Plan) -> Self {
-        Self { choppiness: plan.sea.choppiness(), still_water_level_m: plan.sea.still_water_level_m, ..self.clone() }
+        Self { choppiness: plan.sea.choppiness_xz(), still_water_level_m: plan.sea.still_water_level_m, ..self.clone() }
     }
 
     /// Larger of the choppiness factors (on horizontal displacements) along x and along z.

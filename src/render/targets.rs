@@ -1,7 +1,7 @@
 //! Render targets of a picture: G-buffer of the water, linear light and depth.
 
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, DepthState};
+use crate::gpu::kit::{AttachmentFormats, DepthState};
 
 /// Format of textures that hold linear light (RGB in half floats), except for the samples of reference pictures.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
@@ -41,8 +41,8 @@ impl OutputKind {
 
 /// Attachments of a render pipeline that draws into the picture: a colour target of `format` for the linear light, and
 /// the depth texture with the depth test `depth`.
-pub fn attachments(format: &wgpu::TextureFormat, depth: DepthState) -> Attachments<'_> {
-    Attachments { formats: std::slice::from_ref(format), depth: Some(depth) }
+pub fn attachments(format: &wgpu::TextureFormat, depth: DepthState) -> AttachmentFormats<'_> {
+    AttachmentFormats { formats: std::slice::from_ref(format), depth: Some(depth) }
 }
 
 /// Textures that a picture of one size is drawn into: linear light, depth and G-buffer.

@@ -6,7 +6,7 @@ use super::targets::Targets;
 use super::targets::{DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, attachments};
 use super::water::light::WaterPass;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, BindingType, Program};
+use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
 use crate::gpu::layout::gpu_struct;
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
@@ -91,15 +91,15 @@ impl ViewUniform {
                 DisplayedView::Map(MapView::Foam | MapView::Source) => {
                     // North-western cell of the level. A cell is stored at its world index modulo the number of cells.
                     let level = maps.foam_levels[layer];
-                    let cells = f64::from(maps.foam_n);
-                    level.centre.map(|x| (x / level.cell_m - 0.5 * cells).round().rem_euclid(cells) as u32)
+                    let cells = f64::from(maps.foam_cells_per_side);
+                    level.centre_m.map(|x| (x / level.cell_m - 0.5 * cells).round().rem_euclid(cells) as u32)
                 }
                 _ => [0; 2],
             };
             // A spectrum is chosen by cascade, a surface view by drawn cascade, any other map by texture layer.
             let source = match view.displayed {
                 DisplayedView::Map(MapView::InitialSpectrum | MapView::Spectrum) => layer,
-                DisplayedView::Surface(_) => maps.fading_count + layer,
+                DisplayedView::Surface(_) => maps.fading_cascade_count + layer,
                 _ if foam => layer,
                 _ => maps.current_cascades()[layer].layer as usize,
             };
@@ -143,7 +143,7 @@ fn largest_squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32
 }
 
 /// Render passes that draw a false-colour view (maps, or the coloured water surface) and show it on the screen.
-pub struct ViewPass {
+pub struct FalseColourPass {
     uniform: Uniform<ViewUniform>,
     map_layout: wgpu::BindGroupLayout,
     map_pipeline: wgpu::RenderPipeline,
@@ -154,7 +154,7 @@ pub struct ViewPass {
     show_group: Option<wgpu::BindGroup>,
 }
 
-impl ViewPass {
+impl FalseColourPass {
     /// Compiles the passes of false-colour views. Views of the water surface draw the mesh of `water`; `target` is the
     /// format of the texture that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
@@ -175,7 +175,7 @@ impl ViewPass {
         let output = &water.scene.output;
         let map_pipeline = gpu.render_pipeline(
             "view/map",
-            &Program::new(&module),
+            &RenderProgram::new(&module),
             &[&map_layout],
             &attachments(&output.format(), DEPTH_TEST_BACKGROUND),
         );
@@ -186,14 +186,14 @@ impl ViewPass {
         let layouts = [scene, maps, mesh, &surface_layout];
         let surface_pipeline = gpu.render_pipeline(
             "view/surface",
-            &Program::new(&module),
+            &RenderProgram::new(&module),
             &layouts,
             &attachments(&output.format(), DEPTH_TEST_OPAQUE),
         );
         let show_layout = gpu.bind_group_layout("view/show", fragment, &[BindingType::Texture]);
         let module = shaders.module(gpu, "views/show");
-        let onto = Attachments { formats: &[target], depth: None };
-        let present_pipeline = gpu.render_pipeline("view/show", &Program::new(&module), &[&show_layout], &onto);
+        let onto = AttachmentFormats { formats: &[target], depth: None };
+        let present_pipeline = gpu.render_pipeline("view/show", &RenderProgram::new(&module), &[&show_layout], &onto);
         Self {
             uniform,
             map_layout,

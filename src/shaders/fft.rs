@@ -9,16 +9,16 @@ pub const TWIDDLE_COUNT: usize = 1024;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FftFactors {
     /// Number of points of each short FFT in the first round, and number of short FFTs per line in the second round.
-    pub first: u32,
+    pub first_round_points: u32,
     /// Number of points of each short FFT in the second round, and number of short FFTs per line in the first round.
-    pub second: u32,
+    pub second_round_points: u32,
 }
 
 impl FftFactors {
     /// Factors of the FFT size `n`, a power of two from 64 to 1024: equal, or the first is twice the second.
     pub fn new(n: u32) -> Self {
         let second = 1 << (n.ilog2() / 2);
-        Self { first: n / second, second }
+        Self { first_round_points: n / second, second_round_points: second }
     }
 }
 

@@ -49,7 +49,7 @@ impl UnrolledKernel {
 /// point t on, and every `second`-th point of line n - z from `second` - t on: these have the opposite wave vectors and
 /// so the complex conjugate amplitudes. For t = 0 the twiddle factors undo the shift by `second`.
 fn rows_first(n: u32) -> String {
-    let FftFactors { first, second } = FftFactors::new(n);
+    let FftFactors { first_round_points: first, second_round_points: second } = FftFactors::new(n);
     let mut code = FunctionWriter::begin("rows_first(c: u32, t: u32, z: u32)");
     code.add_line("let here = evolve_line(c, z);");
     code.add_line(&format!("let z_opposite = ({n}u - z) & {}u;", n - 1));
@@ -81,7 +81,7 @@ fn rows_first(n: u32) -> String {
 }
 
 fn rows_second(n: u32) -> String {
-    let FftFactors { first, second } = FftFactors::new(n);
+    let FftFactors { first_round_points: first, second_round_points: second } = FftFactors::new(n);
     let mut code = FunctionWriter::begin("rows_second(line: u32, k1: u32)");
     let points =
         (0..second).map(|n2| code.add_variable(&format!("half_transforms[line + k1 * {second}u + {n2}u]"))).collect();
@@ -92,7 +92,7 @@ fn rows_second(n: u32) -> String {
 }
 
 fn columns_first(n: u32) -> String {
-    let FftFactors { first, second } = FftFactors::new(n);
+    let FftFactors { first_round_points: first, second_round_points: second } = FftFactors::new(n);
     let mut code = FunctionWriter::begin("columns_first(column: u32, t: u32)");
     let factors = code.add_twiddle_factors("t", first, n);
     let points = (0..first)
@@ -106,7 +106,7 @@ fn columns_first(n: u32) -> String {
 }
 
 fn columns_second(n: u32) -> String {
-    let FftFactors { first, second } = FftFactors::new(n);
+    let FftFactors { first_round_points: first, second_round_points: second } = FftFactors::new(n);
     let mut code = FunctionWriter::begin("columns_second(layer: u32, layers: u32, x: u32, k1: u32)");
     code.add_line(&format!("let here = (layer * {n}u + k1 * {second}u) * {n}u + x;"));
     let points = (0..second).map(|n2| code.add_variable(&format!("half_transforms[here + {}u]", n2 * n))).collect();

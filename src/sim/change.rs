@@ -17,9 +17,9 @@ impl Simulation {
             return;
         }
         if (plan.n, plan.cascades.len()) != (self.sea.plan.n, self.sea.plan.cascades.len()) {
-            let (generation, timer) = (self.maps.generation + 1, self.timer.clone());
+            let (generation, timer) = (self.maps.view_generation + 1, self.timer.clone());
             *self = Self::with_fft_implementation(gpu, plan, shaders, self.passes.transform.implementation());
-            (self.maps.generation, self.timer) = (generation, timer);
+            (self.maps.view_generation, self.timer) = (generation, timer);
             return;
         }
         self.next = None;
@@ -136,7 +136,7 @@ impl Simulation {
         }
         let (size, plan) = (self.resources.foam_n, &self.sea.plan);
         self.foam_parameters.apply_transition_step(step, |_| FoamParameters::new(size, plan));
-        self.foam.set_parameters(self.foam_parameters.blended_value(self.transition.cross_fade_weight()));
+        self.foam.set_parameters(self.foam_parameters.cross_faded_value(self.transition.cross_fade_weight()));
         self.maps.set_cross_fade_weights(&self.overlaps, self.transition.cross_fade_weight());
     }
 }

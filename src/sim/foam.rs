@@ -3,7 +3,7 @@
 use super::maps::{FoamLevel, MAX_DRAWN_CASCADES, Maps};
 use super::transition::{Interpolate, interpolate, interpolate_pair};
 use super::uniforms::{FoamCascade, FoamLevelCorner, FoamLevelUniform, FoamUniform};
-use crate::waves::foam::FOAM_LEVELS;
+use crate::waves::foam::FOAM_LEVEL_COUNT;
 use crate::waves::{Plan, foam};
 
 /// Number of time steps of a cold start, which computes the foam anew from the recent past, as after a jump of time.
@@ -39,7 +39,7 @@ pub struct FoamScheduler {
     cold_start_steps: Vec<FoamStep>,
     /// World indices (x, z) of the cell with the lowest x and z that each foam level covered at the last foam step;
     /// cell i begins at i times the level's cell size. None before the first step.
-    cells: Option<[[i32; 2]; FOAM_LEVELS]>,
+    cells: Option<[[i32; 2]; FOAM_LEVEL_COUNT]>,
     /// Simulated time that the foam had reached when the sea last changed, s; if time stands still after that, the foam
     /// is computed anew. None if no earlier sea's foam is left.
     changed_at_s: Option<f64>,
@@ -55,7 +55,7 @@ pub struct FoamParameters {
     pub choppiness: [f64; 2],
     /// For each foam level, the foam source (0 to 1, to be multiplied by `rate_per_s`) as a function of the Jacobian of
     /// the displacement: the Jacobian below which it is positive, and its increase per unit of Jacobian below that.
-    sources: [foam::FoamSource; FOAM_LEVELS],
+    sources: [foam::FoamSource; FOAM_LEVEL_COUNT],
     /// Expected mean of the foam over the sea surface, from 0 (no foam) to 1 (all covered).
     pub mean_foam: f64,
     decay_s: f64,
@@ -67,8 +67,8 @@ impl FoamParameters {
     pub fn new(size: u32, plan: &Plan) -> Self {
         let foam = foam::FoamModel::new(plan);
         Self {
-            choppiness: plan.sea.choppiness(),
-            sources: std::array::from_fn(|level| foam.source(plan, cell_m(size, level))),
+            choppiness: plan.sea.choppiness_xz(),
+            sources: std::array::from_fn(|level| foam.foam_source_for_texel(plan, cell_m(size, level))),
             mean_foam: foam.expected_mean_foam,
             decay_s: plan.sea.foam.decay_s,
             rate_per_s: plan.sea.foam.rate_per_s,
@@ -81,12 +81,15 @@ impl Interpolate for FoamParameters {
         let source = |level: usize| {
             let (a, b) = (self.sources[level], to.sources[level]);
             // A sea without foam has slope 0 and no meaningful threshold.
-            let threshold = match (a.slope > 0.0, b.slope > 0.0) {
-                (true, false) => a.threshold,
-                (false, true) => b.threshold,
-                _ => interpolate(a.threshold, b.threshold, fraction),
+            let threshold = match (a.source_slope > 0.0, b.source_slope > 0.0) {
+                (true, false) => a.jacobian_threshold,
+                (false, true) => b.jacobian_threshold,
+                _ => interpolate(a.jacobian_threshold, b.jacobian_threshold, fraction),
             };
-            foam::FoamSource { threshold, slope: interpolate(a.slope, b.slope, fraction) }
+            foam::FoamSource {
+                jacobian_threshold: threshold,
+                source_slope: interpolate(a.source_slope, b.source_slope, fraction),
+            }
         };
         Self {
             choppiness: interpolate_pair(self.choppiness, to.choppiness, fraction),
@@ -184,11 +187,11 @@ impl FoamScheduler {
     /// Cell sizes and centres of the foam levels, finest first, for a camera at the world position `centre` (x, z), m.
     pub fn levels(&self, centre: [f64; 2]) -> Vec<FoamLevel> {
         let half = f64::from(self.size / 2);
-        (0..FOAM_LEVELS)
+        (0..FOAM_LEVEL_COUNT)
             .map(|level| {
                 let cell_m = cell_m(self.size, level);
                 let centre = self.first_cell(level, centre).map(|c| (f64::from(c) + half) * cell_m);
-                FoamLevel { cell_m, centre }
+                FoamLevel { cell_m, centre_m: centre }
             })
             .collect()
     }
@@ -196,9 +199,9 @@ impl FoamScheduler {
     /// Makes the uniform of one foam time step. `maps` are the wave maps at the end of the step; the foam levels lie
     /// around the world position `centre` (x, z), m. Remembers which cells they cover, for the next step.
     pub fn uniform(&mut self, step: &FoamStep, centre: [f64; 2], maps: &Maps) -> FoamUniform {
-        let cells: [[i32; 2]; FOAM_LEVELS] = std::array::from_fn(|level| self.first_cell(level, centre));
+        let cells: [[i32; 2]; FOAM_LEVEL_COUNT] = std::array::from_fn(|level| self.first_cell(level, centre));
         // With a previous first cell far out of range, the foam pass finds no earlier foam for any cell.
-        let unknown = [[i32::MIN / 2; 2]; FOAM_LEVELS];
+        let unknown = [[i32::MIN / 2; 2]; FOAM_LEVEL_COUNT];
         let previous = if step.discards_history { unknown } else { self.cells.unwrap_or(unknown) };
         self.cells = Some(cells);
         let levels = std::array::from_fn(|level| {
@@ -216,8 +219,8 @@ impl FoamScheduler {
                 first_cell: cells[level],
                 previous_first_cell: previous[level],
                 cell_m: cell_m as f32,
-                jacobian_threshold: source.threshold as f32,
-                source_slope: source.slope as f32,
+                jacobian_threshold: source.jacobian_threshold as f32,
+                source_slope: source.source_slope as f32,
                 initial_foam: self.parameters.mean_foam as f32,
             }
         });

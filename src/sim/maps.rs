@@ -5,7 +5,7 @@ use super::transition::{TransitionKind, cross_fade_amplitudes};
 use crate::gpu::layout::gpu_struct;
 use crate::waves::Plan;
 use crate::waves::overlap::SeaCovariance;
-use crate::waves::tiling::{LatticePosition, Tiling};
+use crate::waves::tiling::{Tiling, TriangleLatticePosition};
 use std::f64::consts::TAU;
 
 /// Largest number of cascades (patches of sea, each with an FFT of its own) of one sea.
@@ -60,15 +60,15 @@ pub struct Maps {
     /// come before those of the current sea.
     pub cascades: Vec<MapCascade>,
     /// Number of entries at the start of `cascades` that belong to the old sea of a cross-fade; 0 without a cross-fade.
-    pub fading_count: usize,
+    pub fading_cascade_count: usize,
     /// Cell sizes and positions of the foam levels, finest level first.
     pub foam_levels: Vec<FoamLevel>,
     /// Number of cells along a side of a foam level (one of the nested square foam grids).
-    pub foam_n: u32,
+    pub foam_cells_per_side: u32,
     /// FFT size, which is also the number of texels along a side of mip level 0 of the displacement and gradient maps.
     pub n: u32,
     /// Counter that increases when these texture views are replaced: bind groups with them must then be renewed.
-    pub generation: u64,
+    pub view_generation: u64,
 }
 
 /// What a shader needs to know to sample the maps of one cascade.
@@ -85,19 +85,19 @@ pub struct MapCascade {
     /// Index of the cascade's layer in each of the texture views of displacement, gradients and slope moments.
     pub layer: u32,
     /// Factor that the amplitudes of the cascade's waves have in the maps: 1 except during a cross-fade.
-    pub amplitude_factor: f32,
+    pub cross_fade_amplitude_factor: f32,
     /// Factor on the slope variance that shaders sum over the cascades of both seas of a cross-fade: correlated waves
     /// of both seas add by amplitude, not by variance. 1 without a cross-fade.
-    pub variance_correction: f32,
+    pub cross_fade_variance_factor: f32,
 }
 
-impl From<LatticePosition> for TileLatticePosition {
-    fn from(position: LatticePosition) -> Self {
+impl From<TriangleLatticePosition> for TileLatticePosition {
+    fn from(position: TriangleLatticePosition) -> Self {
         Self {
-            scaled_rotation: position.tiling.scaled_rotation.map(|x| x as f32),
-            fraction: position.fraction.map(|x| x as f32),
+            scaled_rotation: position.tiling.rotation_cos_sin_per_m.map(|x| x as f32),
+            fraction: position.cell_fraction.map(|x| x as f32),
             cell: position.cell,
-            shift_key: position.tiling.hash_key,
+            shift_key: position.tiling.shift_hash_key,
             blends_copies: u32::from(position.tiling.blends_copies),
         }
     }
@@ -109,7 +109,7 @@ pub struct FoamLevel {
     /// Side of a foam cell, m.
     pub cell_m: f64,
     /// World position (x, z) of the level's centre, m.
-    pub centre: [f64; 2],
+    pub centre_m: [f64; 2],
 }
 
 impl Maps {
@@ -124,17 +124,17 @@ impl Maps {
             wave_table: resources.current_waves().wave_table.clone(),
             period_fraction_u32: 0,
             cascades: MapCascade::all_of_plan(plan, resources),
-            fading_count: 0,
+            fading_cascade_count: 0,
             foam_levels: Vec::new(),
-            foam_n: resources.foam_n,
+            foam_cells_per_side: resources.foam_n,
             n: resources.n,
-            generation: 0,
+            view_generation: 0,
         }
     }
 
     /// Entries of `cascades` that belong to the current sea, without those of the old sea of a cross-fade.
     pub fn current_cascades(&self) -> &[MapCascade] {
-        &self.cascades[self.fading_count..]
+        &self.cascades[self.fading_cascade_count..]
     }
 
     /// Updates the drawn cascades when a transition to `plan`, with equal FFT size, starts. A cross-fade adds those of
@@ -144,12 +144,12 @@ impl Maps {
             TransitionKind::Foam | TransitionKind::Surface => return,
             TransitionKind::Immediate => {
                 self.cascades.clear();
-                self.fading_count = 0;
+                self.fading_cascade_count = 0;
             }
-            TransitionKind::Amplitudes => self.cascades.truncate(self.fading_count),
+            TransitionKind::Amplitudes => self.cascades.truncate(self.fading_cascade_count),
             TransitionKind::CrossFade => {
                 self.end_cross_fade();
-                self.fading_count = self.cascades.len();
+                self.fading_cascade_count = self.cascades.len();
             }
         }
         self.cascades.extend(MapCascade::all_of_plan(plan, resources));
@@ -161,27 +161,28 @@ impl Maps {
     /// drawn cascade, the covariance of both seas; `new_sea_weight` is the new sea's fraction of the sum of both
     /// elevation variances.
     pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[SeaCovariance], new_sea_weight: f64) {
-        let fading = self.fading_count;
+        let fading = self.fading_cascade_count;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
             let overlap = overlaps.get(i).copied().unwrap_or_default();
             let ([old, new], variance_correction) = cross_fade_amplitudes(&overlap, new_sea_weight);
-            (cascade.amplitude_factor, cascade.variance_correction) =
+            (cascade.cross_fade_amplitude_factor, cascade.cross_fade_variance_factor) =
                 (if i < fading { old } else { new } as f32, variance_correction as f32);
         }
     }
 
     /// Ends a cross-fade: removes the entries of the old sea from `cascades`.
     pub(super) fn end_cross_fade(&mut self) {
-        self.cascades.drain(..self.fading_count);
-        self.fading_count = 0;
+        self.cascades.drain(..self.fading_cascade_count);
+        self.fading_cascade_count = 0;
     }
 
-    /// Creates the texture views of the maps anew after their texture has been replaced, and increases `generation`.
+    /// Creates the texture views of the maps anew after their texture has been replaced, and increases
+    /// `view_generation`.
     pub(super) fn recreate_views(&mut self, resources: &Resources) {
         self.displacement = resources.map_view(MapKind::Displacement);
         self.gradients = resources.map_view(MapKind::Gradients);
         self.slope_moments = resources.map_view(MapKind::Moments);
-        self.generation += 1;
+        self.view_generation += 1;
     }
 }
 
@@ -192,7 +193,7 @@ impl MapCascade {
             .map(|(layer, c)| {
                 // Half the mean square slope is the mean variance of one slope component: moments in this unit are near
                 // 1.
-                let mss = plan.energy.mss_between(c.k_low, c.k_high);
+                let mss = plan.spectrum_integrals.mss_between_wave_numbers(c.k_low, c.k_high);
                 let moment_unit = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
                 let shortest_wavelength_m = TAU / c.k_high.max(c.dk());
                 Self {
@@ -201,8 +202,8 @@ impl MapCascade {
                     shortest_wavelength_m,
                     moment_unit,
                     layer,
-                    amplitude_factor: 1.0,
-                    variance_correction: 1.0,
+                    cross_fade_amplitude_factor: 1.0,
+                    cross_fade_variance_factor: 1.0,
                 }
             })
             .collect()

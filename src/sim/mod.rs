@@ -237,7 +237,7 @@ impl Simulation {
                 false,
             );
             self.passes.spectrum.run(encoder, &self.resources, dispatch);
-            self.timer.mark(encoder, "spectrum");
+            self.timer.end_part(encoder, "spectrum");
             self.spectrum_blend = 0.0;
             self.spectrum_pass_count += 1;
         }
@@ -249,7 +249,7 @@ impl Simulation {
         let dispatch = self.encode_waves(encoder, step.t_s, false);
         let foam = self.uniforms.foam.add(&self.foam.uniform(step, centre, &self.maps));
         self.passes.foam.run(encoder, &self.resources, dispatch, foam);
-        self.timer.mark(encoder, "foam");
+        self.timer.end_part(encoder, "foam");
         self.maps.foam_levels = self.foam.levels(centre);
     }
 
@@ -269,19 +269,19 @@ impl Simulation {
 
     fn encode_wave_passes(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         self.passes.transform.record_rows(encoder, dispatch);
-        self.timer.mark(encoder, "rows");
+        self.timer.end_part(encoder, "rows");
         self.passes.transform.record_columns(encoder, &self.resources, dispatch);
-        self.timer.mark(encoder, "columns");
+        self.timer.end_part(encoder, "columns");
         self.passes.mips.run(encoder, &self.resources, dispatch);
-        self.timer.mark(encoder, "mips");
+        self.timer.end_part(encoder, "mips");
     }
 
     /// Adds the uniform that describes one sea's waves at one time to the buffer `uniforms.sea`: those of the current
     /// sea or, if `fades`, of a cross-fade's old sea. Returns its offset there, and the sea's wave buffers and map
     /// layers.
     fn add_sea_uniform(&mut self, parameters: SeaUniformParameters, fades: bool) -> SeaDispatch {
-        let (fading, own) = self.maps.cascades.split_at(self.maps.fading_count);
-        let current = self.resources.current_sea;
+        let (fading, own) = self.maps.cascades.split_at(self.maps.fading_cascade_count);
+        let current = self.resources.current_wave_buffers_index;
         let (sea, maps, waves) = match &self.fading {
             Some(sea) if fades => (sea, fading, 1 - current),
             _ => (&self.sea, own, current),

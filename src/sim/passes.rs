@@ -7,7 +7,7 @@ use super::uniforms::{SHARED_STRUCTS, SimulationUniforms};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
 use crate::shaders::Shaders;
-use crate::waves::foam::FOAM_LEVELS;
+use crate::waves::foam::FOAM_LEVEL_COUNT;
 
 /// All compute passes of the simulation, which turn a wave spectrum into displacement, gradient and foam maps.
 pub struct Passes {
@@ -223,7 +223,7 @@ impl FoamPass {
     /// Records one time step of all foam levels, from the present wave maps. `dispatch` selects the uniform with the
     /// choppiness, common to both seas of a cross-fade; `foam` is the byte offset of the step's uniform in its buffer.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch, foam: u32) {
-        let size = [r.foam_n / 8, r.foam_n / 8, FOAM_LEVELS as u32];
+        let size = [r.foam_n / 8, r.foam_n / 8, FOAM_LEVEL_COUNT as u32];
         self.kernel.run(encoder, &self.group, &[dispatch.uniform_offset, foam], size);
     }
 }

@@ -3,7 +3,7 @@
 use super::maps::{MAX_CASCADES, MapCascade};
 use super::uniforms::{MAX_SPECTRUM_TERMS, SeaCascade, SeaUniform, SpectrumTerm};
 use crate::waves::spreading::CosineFactor;
-use crate::waves::system::TermKind;
+use crate::waves::system::DirectionalTermKind;
 use crate::waves::{Plan, table};
 
 /// The plan of a sea, with its directional spectrum in the form that shaders read: the source of the sea's uniforms.
@@ -45,14 +45,14 @@ impl SeaUniformSource {
     /// Takes a plan and converts its directional spectrum, a sum of spreading lobes or measured distributions, to the
     /// form that shaders read.
     pub fn new(plan: Plan) -> Self {
-        let (parts, vectors_per_entry) = table::terms(&plan);
+        let (parts, vectors_per_entry) = table::directional_terms(&plan);
         let mut terms = [SpectrumTerm::default(); MAX_SPECTRUM_TERMS];
         for (out, part) in terms.iter_mut().zip(&parts) {
             let kind = match part.kind {
-                TermKind::Lobe(CosineFactor::One) => 0,
-                TermKind::Lobe(CosineFactor::Squared) => 1,
-                TermKind::Lobe(CosineFactor::SquaredForward) => 2,
-                TermKind::Measured => 3,
+                DirectionalTermKind::Lobe(CosineFactor::One) => 0,
+                DirectionalTermKind::Lobe(CosineFactor::Squared) => 1,
+                DirectionalTermKind::Lobe(CosineFactor::SquaredForward) => 2,
+                DirectionalTermKind::Measured => 3,
             };
             *out = SpectrumTerm {
                 reference_direction: part.travel.map(|x| x as f32),
@@ -76,7 +76,7 @@ impl SeaUniformSource {
                 noise_key: cascade.noise_key,
                 moment_unit: map.moment_unit,
             };
-            *weight = map.amplitude_factor;
+            *weight = map.cross_fade_amplitude_factor;
         }
         SeaUniform {
             cascades,

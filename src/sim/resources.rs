@@ -7,9 +7,9 @@ use crate::gpu::map_format::MapFormat;
 use crate::gpu::readback::{self, StagedTexture};
 use crate::shaders::fft::{TWIDDLE_COUNT, twiddle_factors};
 use crate::waves::Plan;
-use crate::waves::foam::FOAM_LEVELS;
+use crate::waves::foam::FOAM_LEVEL_COUNT;
 use crate::waves::lattice::LatticeWave;
-use crate::waves::table::{self, Table};
+use crate::waves::table::{self, SpectrumTable};
 use std::ops::Range;
 
 /// Side of the smallest mip level that the wave maps have, texels.
@@ -39,7 +39,7 @@ pub struct Resources {
     /// Buffers that describe the waves, one set for each sea. The second set exists from the first cross-fade on.
     pub wave_buffers: Vec<WaveBuffers>,
     /// Index in `wave_buffers` of the current sea; the other set, if any, belongs to the old sea of a cross-fade.
-    pub current_sea: usize,
+    pub current_wave_buffers_index: usize,
     /// Storage buffer of the FFT twiddle factors e^(2 pi i j / 1024) for j from 0 to 1023, complex f32.
     pub twiddle_factors: wgpu::Buffer,
     /// Result of the row pass, the inverse FFT along x: the eight values of displacement and gradients, packed in two
@@ -80,7 +80,7 @@ pub struct WaveBuffers {
 impl WaveBuffers {
     fn new(gpu: &Gpu, plan: &Plan, cascades: usize) -> Self {
         let entries = (table::entry_count(plan.n) * cascades) as u64;
-        let quadruples = table::terms(plan).1 as u64;
+        let quadruples = table::directional_terms(plan).1 as u64;
         Self {
             spectrum_table: gpu.storage_buffer("spectrum table", 16 * entries * quadruples),
             wave_table: gpu.storage_buffer("wave table", 8 * entries),
@@ -101,13 +101,13 @@ impl Resources {
             n,
             foam_n,
             wave_buffers: vec![WaveBuffers::new(gpu, plan, cascades)],
-            current_sea: 0,
+            current_wave_buffers_index: 0,
             twiddle_factors: twiddle,
             row_transforms: gpu.storage_buffer("row transforms", row_transform_bytes(n, cascades)),
-            foam_history: gpu.storage_buffer("foam history", 4 * FOAM_LEVELS as u64 * point_count(foam_n)),
+            foam_history: gpu.storage_buffer("foam history", 4 * FOAM_LEVEL_COUNT as u64 * point_count(foam_n)),
             format,
             maps: create_map_texture(gpu, n, cascades, format),
-            foam: create_array_texture(gpu, "foam", [foam_n, foam_n, FOAM_LEVELS as u32], 1, format),
+            foam: create_array_texture(gpu, "foam", [foam_n, foam_n, FOAM_LEVEL_COUNT as u32], 1, format),
             repeating_sampler: gpu.sampler("repeat", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear),
             allocation_count: 1,
             wave_table_count: 0,
@@ -116,12 +116,12 @@ impl Resources {
 
     /// Buffers that describe the waves of the current sea: spectrum, frequencies and Fourier amplitudes h0.
     pub fn current_waves(&self) -> &WaveBuffers {
-        &self.wave_buffers[self.current_sea]
+        &self.wave_buffers[self.current_wave_buffers_index]
     }
 
     /// Index of the layer of the current sea's first cascade, the same for each kind of map: 0 or `MAX_CASCADES`.
     pub fn first_layer(&self) -> u32 {
-        (self.current_sea * MAX_CASCADES) as u32
+        (self.current_wave_buffers_index * MAX_CASCADES) as u32
     }
 
     /// Makes the other set of wave buffers current when a cross-fade to `plan` starts. The first call allocates it, and
@@ -135,7 +135,7 @@ impl Resources {
             self.row_transforms = gpu.storage_buffer("row transforms", row_transform_bytes(self.n, MAX_CASCADES));
             self.allocation_count += 1;
         }
-        self.current_sea = 1 - self.current_sea;
+        self.current_wave_buffers_index = 1 - self.current_wave_buffers_index;
         is_first
     }
 
@@ -184,14 +184,14 @@ impl Resources {
     pub fn upload_wave_tables(&mut self, gpu: &Gpu, plan: &Plan) -> bool {
         let mut values: Vec<[f32; 4]> = Vec::new();
         let mut waves = Vec::new();
-        for table in Table::for_all_cascades(plan) {
-            values.extend(table.values.iter().map(|v| v.map(|x| x as f32)));
+        for table in SpectrumTable::for_all_cascades(plan) {
+            values.extend(table.term_vectors.iter().map(|v| v.map(|x| x as f32)));
             // A table entry outside the cascade's band has no wave, and its wave number k is 0.
             let slant = |w: &LatticeWave| if w.k > 0.0 { (w.orbit_axis_ratio / w.k) as f32 } else { 0.0 };
             waves.extend(table.waves.iter().map(|w| [w.cycles_per_period, slant(w).to_bits()]));
         }
         self.wave_table_count += 1;
-        let sea = &mut self.wave_buffers[self.current_sea];
+        let sea = &mut self.wave_buffers[self.current_wave_buffers_index];
         let needs_spectrum_table = size_of_val(values.as_slice()) as u64 > sea.spectrum_table.size();
         if needs_spectrum_table {
             sea.spectrum_table = gpu.storage_buffer("spectrum table", size_of_val(values.as_slice()) as u64);

@@ -123,7 +123,7 @@ impl Transition {
 /// fraction `fraction` (0 to 1) of the sum of both elevation variances. The second result is the variance of the
 /// blended waves divided by that sum: above 1 if some waves are in both seas, as their covariance in `overlap` tells.
 pub fn cross_fade_amplitudes(overlap: &SeaCovariance, fraction: f64) -> ([f64; 2], f64) {
-    let variance_gain = overlap.variance_gain(fraction);
+    let variance_gain = overlap.blended_variance_ratio(fraction);
     ([((1.0 - fraction) / variance_gain).sqrt(), (fraction / variance_gain).sqrt()], variance_gain)
 }
 
@@ -177,7 +177,7 @@ impl<T: Interpolate> Interpolated<T> {
 
     /// The parameters of the drawn sea as a whole: in a cross-fade those of both seas mixed, with the weight `fraction`
     /// (0 to 1) for the new sea; otherwise the present ones.
-    pub fn blended_value(&self, fraction: f64) -> T {
+    pub fn cross_faded_value(&self, fraction: f64) -> T {
         match &self.fading {
             Some(old) if fraction < 1.0 => old.interpolate(&self.now, fraction),
             _ => self.now.clone(),
@@ -222,13 +222,13 @@ mod tests {
             }
             let step = TransitionStep { started: start, ..transition.advance(1.0 / 60.0) };
             drawn.apply_transition_step(&step, |_| 2.1 + 0.1 * f64::from(i));
-            let now = drawn.blended_value(transition.cross_fade_weight());
+            let now = drawn.cross_faded_value(transition.cross_fade_weight());
             assert!(now >= before && now - before < 0.11, "{i}: {before} to {now}");
             before = now;
             // The transition ends 0.8 s after the last change, not earlier: after 48 frames, or one more by rounding.
             assert!(transition.is_running() == (i < 76) || i == 76, "{i}");
         }
-        assert_eq!(drawn.blended_value(1.0), 2.1 + 0.1 * 29.0);
+        assert_eq!(drawn.cross_faded_value(1.0), 2.1 + 0.1 * 29.0);
     }
 
     #[test]
@@ -237,12 +237,15 @@ mod tests {
         transition.start(TransitionKind::CrossFade);
         let mut step = TransitionStep { started: Some(TransitionKind::CrossFade), ..transition.advance(0.0) };
         drawn.apply_transition_step(&step, |_| 7.0);
-        assert_eq!((drawn.blended_value(transition.cross_fade_weight()), transition.cross_fade_weight()), (5.0, 0.0));
+        assert_eq!(
+            (drawn.cross_faded_value(transition.cross_fade_weight()), transition.cross_fade_weight()),
+            (5.0, 0.0)
+        );
         let mut before = 5.0;
         while transition.is_running() {
             step = transition.advance(0.016);
             drawn.apply_transition_step(&step, |_| unreachable!("the goal stays"));
-            let now = drawn.blended_value(transition.cross_fade_weight());
+            let now = drawn.cross_faded_value(transition.cross_fade_weight());
             assert!(now > before && now - before < 0.1);
             before = now;
         }

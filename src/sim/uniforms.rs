@@ -5,7 +5,7 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::BindingType;
 use crate::gpu::layout::{StructDeclaration, gpu_struct};
 use crate::gpu::uniform::DynamicUniformBuffer;
-use crate::waves::foam::FOAM_LEVELS;
+use crate::waves::foam::FOAM_LEVEL_COUNT;
 
 /// The simulation's two uniform buffers, with room for all foam time steps and wave computations of one submission.
 pub struct SimulationUniforms {
@@ -166,7 +166,7 @@ gpu_struct! {
     #[derive(Default)]
     pub struct FoamUniform as "Foam" {
         /// Foam levels (nested square foam grids around the camera), the one with the smallest cells first.
-        pub levels: [FoamLevelUniform; FOAM_LEVELS],
+        pub levels: [FoamLevelUniform; FOAM_LEVEL_COUNT],
         /// Cascades that are drawn, including those of a cross-fade's old sea; the first `cascade_count` are used.
         pub cascades: [FoamCascade; MAX_DRAWN_CASCADES],
         /// Length of the time step, s.

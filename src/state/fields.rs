@@ -2,7 +2,7 @@
 
 use super::field::{FieldDescription, number};
 use super::look::{BedLook, FilmLook, FoamLook, Look, Reflection, Scattering, SkyLook};
-use super::params::{Camera, CascadeSettings, Clock, Foam, Grid, Params, Screen, Sea, WaveSystemParams};
+use super::params::{Camera, CascadeSettings, Clock, FoamSettings, Grid, Params, Screen, Sea, WaveSystemParams};
 use super::views::ViewChoice;
 use std::sync::LazyLock;
 
@@ -23,7 +23,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
         part!(WaveSystemParams, Sea, sea.systems[0]),
         with_numbered_keys(2, part!(WaveSystemParams, SecondSystem, sea.systems[1])),
         part!(Sea, Water, sea),
-        part!(Foam, Foam, sea.foam),
+        part!(FoamSettings, Foam, sea.foam),
         part!(SkyLook, Sky, look.sky),
         part!(Scattering, Surface, look.surface.scattering),
         part!(Reflection, Surface, look.surface.reflection),

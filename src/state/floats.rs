@@ -31,7 +31,7 @@ pub struct FloatingObject {
 ///
 /// # Errors
 /// Returns one sentence that says what is wrong with the text.
-pub fn read(text: &str) -> Result<Vec<FloatingObject>, String> {
+pub fn parse_floating_objects(text: &str) -> Result<Vec<FloatingObject>, String> {
     let one = |part: &str| -> Option<FloatingObject> {
         let mut parts = part.split('*');
         let word = parts.next()?;
@@ -50,8 +50,9 @@ pub fn read(text: &str) -> Result<Vec<FloatingObject>, String> {
     Ok(floats)
 }
 
-/// Formats floating objects for a state string, as in `buoy*12*-30_boat*0*40`; [`read`] is the inverse.
-pub fn write(floats: &[FloatingObject]) -> String {
+/// Formats floating objects for a state string, as in `buoy*12*-30_boat*0*40`; [`parse_floating_objects`] is the
+/// inverse.
+pub fn format_floating_objects(floats: &[FloatingObject]) -> String {
     let one = |f: &FloatingObject| format!("{}*{}*{}", f.kind.word(), shortest_decimal(f.x_m), shortest_decimal(f.z_m));
     floats.iter().map(one).collect::<Vec<_>>().join("_")
 }
@@ -66,12 +67,12 @@ mod tests {
             FloatingObject { kind: FloatingObjectKind::Buoy, x_m: 12.5, z_m: -30.0 },
             FloatingObject { kind: FloatingObjectKind::Boat, x_m: 0.0, z_m: 40.0 },
         ];
-        assert_eq!(write(&floats), "buoy*12.5*-30_boat*0*40");
-        assert_eq!(read("buoy*12.5*-30_boat*0*40").as_deref(), Ok(&floats[..]));
-        assert_eq!(read(""), Ok(vec![]));
+        assert_eq!(format_floating_objects(&floats), "buoy*12.5*-30_boat*0*40");
+        assert_eq!(parse_floating_objects("buoy*12.5*-30_boat*0*40").as_deref(), Ok(&floats[..]));
+        assert_eq!(parse_floating_objects(""), Ok(vec![]));
         for bad in ["raft*1*2", "buoy", "buoy*1", "buoy*1*2*3", "buoy*NaN*0", "buoy*1e9*0", "*", "buoy*1*2 boat"] {
-            assert!(read(bad).is_err(), "{bad}");
+            assert!(parse_floating_objects(bad).is_err(), "{bad}");
         }
-        assert!(read(&"buoy*1*2_".repeat(MAX_FLOATING_OBJECTS + 1)).is_err());
+        assert!(parse_floating_objects(&"buoy*1*2_".repeat(MAX_FLOATING_OBJECTS + 1)).is_err());
     }
 }

@@ -11,7 +11,7 @@ const MIN_EYE_HEIGHT_M: f64 = 1.0;
 const MAX_EYE_HEIGHT_M: f64 = 5000.0;
 /// Largest distance from the camera to the point that it orbits: this many times its height above the still water, plus
 /// [`MAX_PIVOT_OFFSET_M`].
-const MAX_PIVOT_HEIGHTS: f64 = 12.0;
+const MAX_PIVOT_DISTANCE_EYE_HEIGHTS: f64 = 12.0;
 /// Part of the largest distance to the orbited point that does not depend on the camera's height, m.
 const MAX_PIVOT_OFFSET_M: f64 = 30.0;
 
@@ -96,9 +96,10 @@ pub fn rotate_camera(camera: &mut Camera, right_deg: f64, up_deg: f64) {
 }
 
 /// Distance, m, along the viewing direction from the camera to the point that it orbits: to the still water, but at
-/// most [`MAX_PIVOT_HEIGHTS`] camera heights + [`MAX_PIVOT_OFFSET_M`], which is also taken where there is only sky.
+/// most [`MAX_PIVOT_DISTANCE_EYE_HEIGHTS`] camera heights + [`MAX_PIVOT_OFFSET_M`], which is also taken where there is
+/// only sky.
 fn pivot_distance_m(camera: &Camera) -> f64 {
-    let far = MAX_PIVOT_HEIGHTS * camera.y_m + MAX_PIVOT_OFFSET_M;
+    let far = MAX_PIVOT_DISTANCE_EYE_HEIGHTS * camera.y_m + MAX_PIVOT_OFFSET_M;
     let down = -camera.pitch_deg.to_radians().sin();
     // The curvature of the Earth does not matter at this distance.
     debug_assert!(far < EARTH_RADIUS_M);

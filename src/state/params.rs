@@ -9,7 +9,7 @@ use super::field::{choice_enum, integer, logarithmic, number, parameters};
 use super::floats::FloatingObject;
 pub use super::look::Look;
 pub use super::sea::{
-    DepthFactor, DispersionKind, Foam, Sea, SpectrumKind, SpreadKind, WaveSystemParams, WhitecapRule,
+    DepthFactor, DispersionKind, FoamSettings, Sea, SpectrumKind, SpreadKind, WaveSystemParams, WhitecapRule,
 };
 
 /// All parameters of the simulator: the whole state that a link can carry. Values set with the functions of
@@ -27,7 +27,7 @@ pub struct Params {
     /// Simulated time and its speed.
     pub clock: Clock,
     /// Floating objects: moored buoys and boats.
-    pub floats: Vec<FloatingObject>,
+    pub floating_objects: Vec<FloatingObject>,
     /// Display settings, such as the resolution scale and the open panel. They do not change the sea.
     pub screen: Screen,
 }

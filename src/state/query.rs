@@ -77,9 +77,14 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
                 });
             }
             FLOATING_OBJECTS_KEY => {
-                reading.set_or_notify(FLOATING_OBJECTS_KEY, &mut seen, floats::read(&value), |p, floats| {
-                    p.floats = floats;
-                });
+                reading.set_or_notify(
+                    FLOATING_OBJECTS_KEY,
+                    &mut seen,
+                    floats::parse_floating_objects(&value),
+                    |p, floats| {
+                        p.floating_objects = floats;
+                    },
+                );
             }
             SKY_KEY => {
                 let file = SkyFile::from_path(&value).ok_or_else(|| "the name has no printable character".to_owned());
@@ -177,8 +182,8 @@ fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     if let Some(measured) = &params.sea.measured {
         out.append_pair(MEASURED_KEY, &measured.to_state());
     }
-    if !params.floats.is_empty() {
-        out.append_pair(FLOATING_OBJECTS_KEY, &floats::write(&params.floats));
+    if !params.floating_objects.is_empty() {
+        out.append_pair(FLOATING_OBJECTS_KEY, &floats::format_floating_objects(&params.floating_objects));
     }
     if let Some(file) = &params.look.sky.file {
         out.append_pair(SKY_KEY, &file.name);
@@ -198,7 +203,7 @@ fn query_part(text: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::versions::Pairs;
+    use super::versions::KeyValuePairs;
     use super::*;
 
     #[test]
@@ -255,7 +260,7 @@ mod tests {
     /// version 3 renames `draw` to `seed` and changes the default fetch from 100 to 150 km.
     const MADE_UP: &[VersionStep] = &[in_metres_a_second, with_another_default];
 
-    fn in_metres_a_second(mut pairs: Pairs<'_>) -> Pairs<'_> {
+    fn in_metres_a_second(mut pairs: KeyValuePairs<'_>) -> KeyValuePairs<'_> {
         for (_, value) in pairs.iter_mut().filter(|(key, _)| key == "wind") {
             if let Ok(knots) = value.parse::<f64>() {
                 *value = (knots / 2.0).to_string().into();
@@ -264,7 +269,7 @@ mod tests {
         pairs
     }
 
-    fn with_another_default(mut pairs: Pairs<'_>) -> Pairs<'_> {
+    fn with_another_default(mut pairs: KeyValuePairs<'_>) -> KeyValuePairs<'_> {
         for (key, _) in pairs.iter_mut().filter(|(key, _)| key == "draw") {
             *key = "seed".into();
         }

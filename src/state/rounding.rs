@@ -5,10 +5,10 @@ use super::params::Camera;
 
 /// Camera, and the simulated time in s if it is paused (`None` while it runs). The app compares two of these to see
 /// whether the user has changed the view.
-pub type CameraPose = (Camera, Option<f64>);
+pub type CameraAndPausedTime = (Camera, Option<f64>);
 
 /// Returns the camera of `params`, and their simulated time in s if it is paused, else `None`.
-pub fn camera_pose(params: &Params) -> CameraPose {
+pub fn camera_pose(params: &Params) -> CameraAndPausedTime {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }
 

@@ -211,7 +211,7 @@ parameters! {
         /// Period after which the sea repeats, s; 0 means a day. Its key in a state string is `loop`.
         repeat_period_s: f64 = 0.0,
         /// Formation and decay of whitecap foam.
-        foam: Foam = Foam::default(),
+        foam: FoamSettings = FoamSettings::default(),
     }
 }
 
@@ -229,14 +229,14 @@ impl Sea {
 
     /// Choppiness along x (east) and z (south), the products of `chop` with `chopx` and `chopz`: factors on the
     /// horizontal displacement; 1 is linear theory.
-    pub fn choppiness(&self) -> [f64; 2] {
+    pub fn choppiness_xz(&self) -> [f64; 2] {
         [self.chop_x * self.chop, self.chop_z * self.chop]
     }
 }
 
 parameters! {
     /// Formation and decay of whitecap foam.
-    pub struct Foam {
+    pub struct FoamSettings {
         /// How the foam threshold is set. monahan: so that the mean foam is the whitecap coverage of the wind (Monahan
         /// and O'Muircheartaigh 1980); fixed: by the parameter foamthreshold.
         whitecaps: WhitecapRule = WhitecapRule::Monahan => ("whitecaps", "Whitecaps", "", Choice(WhitecapRule::WORDS)),

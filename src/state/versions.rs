@@ -11,10 +11,10 @@ use std::borrow::Cow;
 pub(super) const VERSION_KEY: &str = "v";
 
 /// Keys and values of a state string such as `wind=14&t=40`, percent-decoded, in their order in the string.
-pub(super) type Pairs<'a> = Vec<(Cow<'a, str>, Cow<'a, str>)>;
+pub(super) type KeyValuePairs<'a> = Vec<(Cow<'a, str>, Cow<'a, str>)>;
 
 /// Function that translates the keys and values of a state string from one version of the string to the next.
-pub(super) type VersionStep = for<'a> fn(Pairs<'a>) -> Pairs<'a>;
+pub(super) type VersionStep = for<'a> fn(KeyValuePairs<'a>) -> KeyValuePairs<'a>;
 
 /// Translations of a state string from version 1 to 2, from 2 to 3 and so on. The list is empty: no key has changed its
 /// meaning yet.
@@ -22,9 +22,13 @@ pub(super) const VERSION_STEPS: &[VersionStep] = &[];
 
 /// Translates the keys and values of a state string from its version to the newest by `steps`, and removes the key `v`.
 /// If the version is unknown, only removes it, and returns a message to the user.
-pub(super) fn upgrade_pairs<'a>(pairs: Pairs<'a>, steps: &[VersionStep]) -> (Pairs<'a>, Option<String>) {
+pub(super) fn upgrade_pairs<'a>(
+    pairs: KeyValuePairs<'a>,
+    steps: &[VersionStep],
+) -> (KeyValuePairs<'a>, Option<String>) {
     let newest = steps.len() + 1;
-    let (versions, pairs): (Pairs<'a>, Pairs<'a>) = pairs.into_iter().partition(|(key, _)| key == VERSION_KEY);
+    let (versions, pairs): (KeyValuePairs<'a>, KeyValuePairs<'a>) =
+        pairs.into_iter().partition(|(key, _)| key == VERSION_KEY);
     let (version, notice) = match versions.last().map(|(_, text)| text.trim().parse::<usize>()) {
         None => (1, None),
         Some(Ok(version)) if (1..=newest).contains(&version) => (version, None),

@@ -1,7 +1,7 @@
 //! Classification of parameter changes by how much of a sea has to be computed again.
 
 use crate::state::Params;
-use crate::state::params::{Foam, Sea};
+use crate::state::params::{FoamSettings, Sea};
 
 /// What a parameter change makes the program compute again, from the cheapest kind of change to the most expensive one.
 /// Each kind includes the kinds before it: the foam threshold depends on the surface, and the surface on the waves.
@@ -26,7 +26,7 @@ impl SeaChange {
     /// Most expensive kind of change between two seas of the same grid (FFT size, cascades); `None` if all is equal.
     pub fn between_seas(a: &Sea, b: &Sea) -> Option<Self> {
         // A parameter of the sea that is not reset here counts as a change of the waves.
-        let without_foam = |sea: &Sea| Sea { foam: Foam::default(), ..sea.clone() };
+        let without_foam = |sea: &Sea| Sea { foam: FoamSettings::default(), ..sea.clone() };
         let waves =
             |sea: &Sea| Sea { chop: 0.0, chop_x: 0.0, chop_z: 0.0, still_water_level_m: 0.0, ..without_foam(sea) };
         if a == b {

@@ -1,7 +1,7 @@
 //! Colour scales and captions of the false-colour views, which show maps or surface quantities. A scale depends only on
 //! the planned sea, so it does not change with time.
 
-use super::foam::FOAM_LEVELS;
+use super::foam::FOAM_LEVEL_COUNT;
 use super::plan::Plan;
 use super::statistics;
 use crate::state::views::{DisplayedView, MapView, SurfaceView, ViewChoice};
@@ -65,12 +65,15 @@ impl ColourScale {
     /// views of foam: of the foam level).
     pub fn new(displayed: DisplayedView, plan: &Plan, layer: usize) -> Self {
         let (k_low, k_high) = plan.cascades.get(layer).map_or((0.0, 0.0), |c| (c.k_low, c.k_high));
-        let (mss, m0) = (plan.energy.mss_between(k_low, k_high), plan.energy.m0_between(k_low, k_high));
+        let (mss, m0) = (
+            plan.spectrum_integrals.mss_between_wave_numbers(k_low, k_high),
+            plan.spectrum_integrals.m0_between_wave_numbers(k_low, k_high),
+        );
         // The lower limits give a calm sea a scale of non-zero width.
         let (slope, height_m) = (mss.sqrt().max(1e-4), m0.sqrt().max(1e-3));
         // In shallow water the horizontal displacement exceeds the vertical one.
         let orbit = if m0 > 0.0 { plan.dispersion.orbit_axis_ratio((mss / m0).sqrt()) } else { 1.0 };
-        let chop = plan.sea.choppiness().into_iter().fold(0.0, f64::max);
+        let chop = plan.sea.choppiness_xz().into_iter().fold(0.0, f64::max);
         let symmetric = |unit, limit: f64| Self::linear(-limit, limit, unit, Palette::Diverging);
         let positive = |limit: f64| Self::linear(0.0, limit, "", Palette::Sequential);
         match displayed {
@@ -95,7 +98,7 @@ impl ColourScale {
             }
             DisplayedView::Surface(SurfaceView::Roughness) => {
                 let wind = plan.sea.first_system().wind_m_s;
-                positive(plan.slope_variance(f64::INFINITY).max(statistics::cox_munk_mss(wind)))
+                positive(plan.resolved_slope_variance_below(f64::INFINITY).max(statistics::cox_munk_mss(wind)))
             }
             DisplayedView::Surface(SurfaceView::Mips) => positive(f64::from(plan.n.ilog2() - 2)),
         }
@@ -132,7 +135,7 @@ pub struct Caption {
 /// Returns the caption that explains the colours of the false-colour view `view` of a planned sea.
 pub fn caption(view: ViewChoice, plan: &Plan) -> Caption {
     let levels = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
-    let cascade_layers = view.shown_layers(if levels { FOAM_LEVELS } else { plan.cascades.len() });
+    let cascade_layers = view.shown_layers(if levels { FOAM_LEVEL_COUNT } else { plan.cascades.len() });
     let range = |layer: usize| {
         let s = ColourScale::new(view.displayed, plan, layer);
         let unit = if s.unit.is_empty() { String::new() } else { format!(" {}", s.unit) };

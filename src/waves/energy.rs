@@ -19,14 +19,14 @@ pub struct SpectrumIntegrals {
 }
 
 impl SpectrumIntegrals {
-    const STEPS: usize = 1600;
+    const LOG_OMEGA_STEPS: usize = 1600;
 
     /// Integrates the spectra of elevation (`density`, S(omega), m^2 s), slope and strain from `low` to `high` (rad/s).
     pub fn new(density: impl Fn(f64) -> f64, (low, high): (f64, f64), dispersion: &Dispersion) -> Self {
-        let step = (high / low).ln() / Self::STEPS as f64;
+        let step = (high / low).ln() / Self::LOG_OMEGA_STEPS as f64;
         let mut out = Self { omega: vec![], k: vec![], sums: vec![], omega_p: low };
         let (mut sums, mut before, mut highest) = ([0.0; 3], [0.0; 3], 0.0);
-        for i in 0..=Self::STEPS {
+        for i in 0..=Self::LOG_OMEGA_STEPS {
             let omega = low * (step * i as f64).exp();
             let k = dispersion.wave_number(omega);
             let s = density(omega);
@@ -48,23 +48,23 @@ impl SpectrumIntegrals {
 
     /// Total variance of the elevation m0, the integral of the whole spectrum, m^2.
     pub fn m0(&self) -> f64 {
-        self.sums[Self::STEPS][0]
+        self.sums[Self::LOG_OMEGA_STEPS][0]
     }
 
     /// Angular frequency (rad/s) below which the fraction `q` (0 to 1) of the elevation variance m0 lies.
-    pub fn quantile(&self, q: f64) -> f64 {
-        let i = self.sums.partition_point(|s| s[0] < q * self.m0()).min(Self::STEPS);
+    pub fn omega_at_variance_fraction(&self, q: f64) -> f64 {
+        let i = self.sums.partition_point(|s| s[0] < q * self.m0()).min(Self::LOG_OMEGA_STEPS);
         self.omega[i]
     }
 
     /// Elevation variance (m^2) of the waves with wave numbers from `low` to `high` (rad/m).
-    pub fn m0_between(&self, low: f64, high: f64) -> f64 {
-        self.integral_between(0, low, high)
+    pub fn m0_between_wave_numbers(&self, low: f64, high: f64) -> f64 {
+        self.integral_between_wave_numbers(0, low, high)
     }
 
     /// Mean square slope of the waves with wave numbers from `low` to `high` (rad/m).
-    pub fn mss_between(&self, low: f64, high: f64) -> f64 {
-        self.integral_between(1, low, high)
+    pub fn mss_between_wave_numbers(&self, low: f64, high: f64) -> f64 {
+        self.integral_between_wave_numbers(1, low, high)
     }
 
     /// Variance of the strain dDx/dx + dDz/dz (D: horizontal displacement) of the waves with wave numbers from `low` to
@@ -72,17 +72,17 @@ impl SpectrumIntegrals {
     pub fn filtered_strain_variance(&self, low: f64, high: f64, response: impl Fn(f64) -> f64) -> f64 {
         let piece = |i: usize| {
             let (a, b) = (self.k[i - 1].max(low), self.k[i].min(high));
-            if a < b { self.integral_between(2, a, b) * response(0.5 * (a + b)) } else { 0.0 }
+            if a < b { self.integral_between_wave_numbers(2, a, b) * response(0.5 * (a + b)) } else { 0.0 }
         };
         (1..self.k.len()).map(piece).sum()
     }
 
     /// Increase of the integral `which` (0 elevation variance, m^2; 1 mean square slope; 2 strain variance) from wave
     /// number `low` to `high` (rad/m), interpolated linearly between the stored frequencies.
-    fn integral_between(&self, which: usize, low: f64, high: f64) -> f64 {
+    fn integral_between_wave_numbers(&self, which: usize, low: f64, high: f64) -> f64 {
         let at = |k: f64| match self.k.partition_point(|&x| x < k) {
             0 => 0.0,
-            i if i > Self::STEPS => self.sums[Self::STEPS][which],
+            i if i > Self::LOG_OMEGA_STEPS => self.sums[Self::LOG_OMEGA_STEPS][which],
             i => {
                 let (a, b) = (self.sums[i - 1][which], self.sums[i][which]);
                 a + (k - self.k[i - 1]) / (self.k[i] - self.k[i - 1]) * (b - a)

@@ -10,39 +10,39 @@ use crate::state::params::WhitecapRule;
 use std::f64::consts::PI;
 
 /// Number of foam levels, square foam grids around the camera. Each is four times as wide as the next finer one.
-pub const FOAM_LEVELS: usize = 4;
+pub const FOAM_LEVEL_COUNT: usize = 4;
 
 /// Factor of the fit F / (1 - F) = factor x (growth rate x decay time)^exponent x s, where F is the mean foam and s the
 /// mean foam source, both 0 to 1. The fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and growth
 /// rate x decay time from 1 to 50.
-const COVERAGE_FIT_FACTOR: f64 = 1.03;
-/// Exponent of growth rate x decay time in the fit of [`COVERAGE_FIT_FACTOR`].
-const COVERAGE_FIT_EXPONENT: f64 = 0.73;
+const MEAN_FOAM_FIT_FACTOR: f64 = 1.03;
+/// Exponent of growth rate x decay time in the fit of [`MEAN_FOAM_FIT_FACTOR`].
+const MEAN_FOAM_FIT_EXPONENT: f64 = 0.73;
 /// Product of the default growth rate (1/s) and decay time (s) of foam, for which the default foam threshold makes the
 /// mean foam equal the whitecap coverage of the wind.
-const DEFAULT_RATE_DECAY: f64 = 8.0;
+const DEFAULT_GROWTH_RATE_TIMES_DECAY_TIME: f64 = 8.0;
 /// Decrease of the strain of the horizontal displacement, in standard deviations of this strain, over which the foam
 /// source rises from 0 (no foam forms) to 1.
-const SOURCE_RAMP_SIGMAS: f64 = 0.5;
+const FOAM_SOURCE_RAMP_STRAIN_SIGMAS: f64 = 0.5;
 
 /// Upper limit of the whitecap coverage from which the foam threshold is derived, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
-/// Coefficient (1 - r2^2) / 4 in [`mean_jacobian_at_strain`], where r2, about 0.45, is the second directional moment of
-/// short waves.
-const DETERMINANT_COEFFICIENT: f64 = 0.2;
+/// Coefficient (1 - r2^2) / 4 in [`mean_jacobian_at_compression_sigmas`], where r2, about 0.45, is the second
+/// directional moment of short waves.
+const STRAIN_DETERMINANT_COEFFICIENT: f64 = 0.2;
 /// Texel size, m, of the foam grid for which the threshold of `whitecaps=fixed` holds; it is converted for other grids.
 const REFERENCE_TEXEL_M: f64 = 0.25;
 /// Standard deviation (dimensionless) of the horizontal strain below which the water counts as flat and gets no foam.
-const MIN_SIGMA: f64 = 1e-6;
+const MIN_STRAIN_DEVIATION: f64 = 1e-6;
 
 /// Foam source, 0 (no foam forms) to 1, as a function of the Jacobian J of the displacement: clamp((threshold - J) x
 /// slope, 0, 1). The foam pass multiplies it by the user's growth rate (1/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FoamSource {
     /// Jacobian of the displacement below which foam forms.
-    pub threshold: f64,
+    pub jacobian_threshold: f64,
     /// Increase of the foam source for each decrease of the Jacobian by 1 below the threshold.
-    pub slope: f64,
+    pub source_slope: f64,
 }
 
 /// Foam model of a sea: the Jacobian of the displacement below which foam forms, and the mean foam that this gives.
@@ -64,36 +64,39 @@ impl FoamModel {
         let expected_mean_foam = monahan_coverage(plan.sea.first_system().wind_m_s).min(MAX_COVERAGE);
         let source = expected_mean_foam
             / (1.0 - expected_mean_foam)
-            / (COVERAGE_FIT_FACTOR * DEFAULT_RATE_DECAY.powf(COVERAGE_FIT_EXPONENT));
-        if sigma < MIN_SIGMA || (foam.whitecaps == WhitecapRule::Monahan && source <= 0.0) {
+            / (MEAN_FOAM_FIT_FACTOR * DEFAULT_GROWTH_RATE_TIMES_DECAY_TIME.powf(MEAN_FOAM_FIT_EXPONENT));
+        if sigma < MIN_STRAIN_DEVIATION || (foam.whitecaps == WhitecapRule::Monahan && source <= 0.0) {
             return Self { threshold_sigmas: f64::INFINITY, expected_mean_foam: 0.0 };
         }
         let mut threshold_sigmas = match foam.whitecaps {
             WhitecapRule::Fixed => compression_sigmas_at_jacobian(foam.threshold, sigma),
-            WhitecapRule::Monahan => bisect(-2.0, 8.0, |z| mean_source(z) > source),
+            WhitecapRule::Monahan => bisect(-2.0, 8.0, |z| mean_foam_source(z) > source),
         };
         if foam.bias != 0.0 {
-            threshold_sigmas =
-                compression_sigmas_at_jacobian(mean_jacobian_at_strain(threshold_sigmas, sigma) + foam.bias, sigma);
+            threshold_sigmas = compression_sigmas_at_jacobian(
+                mean_jacobian_at_compression_sigmas(threshold_sigmas, sigma) + foam.bias,
+                sigma,
+            );
         }
-        let ratio = COVERAGE_FIT_FACTOR
-            * (foam.rate_per_s * foam.decay_s).powf(COVERAGE_FIT_EXPONENT)
-            * mean_source(threshold_sigmas);
+        let ratio = MEAN_FOAM_FIT_FACTOR
+            * (foam.rate_per_s * foam.decay_s).powf(MEAN_FOAM_FIT_EXPONENT)
+            * mean_foam_source(threshold_sigmas);
         Self { threshold_sigmas, expected_mean_foam: ratio / (1.0 + ratio) }
     }
 
     /// Foam source on a foam grid with texels of `texel_m` (m). A coarser grid resolves less variance of the Jacobian,
     /// so its threshold is nearer to 1.
-    pub fn source(&self, plan: &Plan, texel_m: f64) -> FoamSource {
+    pub fn foam_source_for_texel(&self, plan: &Plan, texel_m: f64) -> FoamSource {
         let sigma = strain_deviation(plan, texel_m);
-        if sigma < MIN_SIGMA || self.threshold_sigmas.is_infinite() {
-            return FoamSource { threshold: -1e3, slope: 0.0 };
+        if sigma < MIN_STRAIN_DEVIATION || self.threshold_sigmas.is_infinite() {
+            return FoamSource { jacobian_threshold: -1e3, source_slope: 0.0 };
         }
-        let threshold = mean_jacobian_at_strain(self.threshold_sigmas, sigma);
+        let threshold = mean_jacobian_at_compression_sigmas(self.threshold_sigmas, sigma);
         let slope = 1.0
-            / (threshold - mean_jacobian_at_strain(self.threshold_sigmas + SOURCE_RAMP_SIGMAS, sigma))
-                .max(0.05 * sigma);
-        FoamSource { threshold, slope }
+            / (threshold
+                - mean_jacobian_at_compression_sigmas(self.threshold_sigmas + FOAM_SOURCE_RAMP_STRAIN_SIGMAS, sigma))
+            .max(0.05 * sigma);
+        FoamSource { jacobian_threshold: threshold, source_slope: slope }
     }
 }
 
@@ -103,15 +106,18 @@ impl FoamModel {
 ///
 /// J is 1 + s + the determinant of the strain tensor. For a given s the mean of the determinant is
 /// (s^2 - sigma^2) (1 - r2^2) / 4 with the second directional moment r2 (1 for long-crested, 0 for isotropic waves).
-fn mean_jacobian_at_strain(threshold_sigmas: f64, sigma: f64) -> f64 {
+fn mean_jacobian_at_compression_sigmas(threshold_sigmas: f64, sigma: f64) -> f64 {
     1.0 - threshold_sigmas * sigma
-        + DETERMINANT_COEFFICIENT * (threshold_sigmas * threshold_sigmas - 1.0) * sigma * sigma
+        + STRAIN_DETERMINANT_COEFFICIENT * (threshold_sigmas * threshold_sigmas - 1.0) * sigma * sigma
 }
 
-/// Inverse of [`mean_jacobian_at_strain`]: compression (negative strain) at which the mean Jacobian equals `threshold`,
-/// as a multiple of the standard deviation `sigma` of the strain. Of the two solutions it returns the smaller one.
+/// Inverse of [`mean_jacobian_at_compression_sigmas`]: compression (negative strain) at which the mean Jacobian equals
+/// `threshold`, as a multiple of the standard deviation `sigma` of the strain. Of the two solutions it returns the
+/// smaller one.
 fn compression_sigmas_at_jacobian(threshold: f64, sigma: f64) -> f64 {
-    bisect(-8.0, (0.5 / (DETERMINANT_COEFFICIENT * sigma)).min(12.0), |z| mean_jacobian_at_strain(z, sigma) > threshold)
+    bisect(-8.0, (0.5 / (STRAIN_DETERMINANT_COEFFICIENT * sigma)).min(12.0), |z| {
+        mean_jacobian_at_compression_sigmas(z, sigma) > threshold
+    })
 }
 
 /// Finds by bisection the value in [low, high] up to which the condition `holds` is true and above which it is false.
@@ -126,15 +132,15 @@ fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
 /// Standard deviation of the strain lx dDx/dx + lz dDz/dz of the horizontal displacement on a foam grid with texels of
 /// `texel_m` (m), where both chop factors lx and lz are replaced by their rms value.
 fn strain_deviation(plan: &Plan, texel_m: f64) -> f64 {
-    let [lx, lz] = plan.sea.choppiness();
+    let [lx, lz] = plan.sea.choppiness_xz();
     // The foam pass reads a mip level of the maps with half the texel size of the foam grid.
     (0.5 * (lx * lx + lz * lz) * plan.strain_variance(0.5 * texel_m)).sqrt()
 }
 
 /// Mean foam source (0 to 1) of a sea with Gaussian strain, if foam starts at a compression of `z` standard deviations:
 /// the mean of clamp((Z - z) / SOURCE_RAMP_SIGMAS, 0, 1) for a standard normal Z.
-fn mean_source(z: f64) -> f64 {
+fn mean_foam_source(z: f64) -> f64 {
     // Mean of max(Z - z, 0).
     let excess = |z: f64| (-0.5 * z * z).exp() / (2.0 * PI).sqrt() - z * 0.5 * libm::erfc(z / 2f64.sqrt());
-    (excess(z) - excess(z + SOURCE_RAMP_SIGMAS)) / SOURCE_RAMP_SIGMAS
+    (excess(z) - excess(z + FOAM_SOURCE_RAMP_STRAIN_SIGMAS)) / FOAM_SOURCE_RAMP_STRAIN_SIGMAS
 }

@@ -35,7 +35,7 @@ impl SeaCovariance {
     }
 
     fn between((before, old): (&Plan, &Cascade), (after, new): (&Plan, &Cascade), t_s: f64) -> Self {
-        let variance = |plan: &Plan, c: &Cascade| plan.energy.m0_between(c.k_low, c.k_high);
+        let variance = |plan: &Plan, c: &Cascade| plan.spectrum_integrals.m0_between_wave_numbers(c.k_low, c.k_high);
         let (low, high) = (old.k_low.max(new.k_low).max(old.dk()), old.k_high.min(new.k_high));
         let mut covariance = 0.0;
         if low < high {
@@ -44,9 +44,10 @@ impl SeaCovariance {
                 let (a, b) = (edge(i), edge(i + 1));
                 let ring = ((a * b).sqrt() / old.dk()).powi(2).round().max(1.0) as u32;
                 // The drawn waves have frequencies that are rounded to the period of the sea.
-                let cycles = |plan: &Plan, c: &Cascade| plan.wave(c, ring).omega * t_s / TAU;
+                let cycles = |plan: &Plan, c: &Cascade| plan.wave_at_squared_index(c, ring).omega * t_s / TAU;
                 let apart = TAU * (cycles(before, old) - cycles(after, new)).rem_euclid(1.0);
-                let variances = before.energy.m0_between(a, b) * after.energy.m0_between(a, b);
+                let variances = before.spectrum_integrals.m0_between_wave_numbers(a, b)
+                    * after.spectrum_integrals.m0_between_wave_numbers(a, b);
                 covariance += variances.sqrt() * apart.cos();
             }
         }
@@ -57,7 +58,7 @@ impl SeaCovariance {
     /// Ratio of the variance of the blended sea sqrt(1 - progress) x before + sqrt(progress) x after to the intended
     /// variance (1 - progress) x Var(before) + progress x Var(after). `progress` is the progress of the cross-fade, 0
     /// to 1. The ratio is 1 for uncorrelated seas and 2 halfway between two equal seas.
-    pub fn variance_gain(&self, progress: f64) -> f64 {
+    pub fn blended_variance_ratio(&self, progress: f64) -> f64 {
         let mean = (1.0 - progress) * self.before + progress * self.after;
         if mean > 0.0 { 1.0 + 2.0 * (progress * (1.0 - progress)).sqrt() * self.covariance / mean } else { 1.0 }
     }
@@ -76,19 +77,24 @@ mod tests {
     #[test]
     fn a_sea_has_everything_in_common_with_itself() {
         for progress in [0.1, 0.5, 0.8] {
-            let variance_gain = overlap("wind=9&n=64", "wind=9&n=64", 0, 1e6).variance_gain(progress);
+            let variance_gain = overlap("wind=9&n=64", "wind=9&n=64", 0, 1e6).blended_variance_ratio(progress);
             assert!((variance_gain - 1.0 - 2.0 * (progress * (1.0 - progress)).sqrt()).abs() < 1e-3, "{variance_gain}");
         }
-        assert_eq!(overlap("wind=9&n=64", "wind=9&n=64&seed=2", 0, 5.0).variance_gain(0.5), 1.0);
-        assert_eq!(overlap("wind=9&n=64", "wind=30&n=64", 0, 5.0).variance_gain(0.5), 1.0, "no patch in common");
-        assert_eq!(overlap("wind=0&n=64", "wind=0&n=64", 0, 5.0).variance_gain(0.5), 1.0);
+        assert_eq!(overlap("wind=9&n=64", "wind=9&n=64&seed=2", 0, 5.0).blended_variance_ratio(0.5), 1.0);
+        assert_eq!(
+            overlap("wind=9&n=64", "wind=30&n=64", 0, 5.0).blended_variance_ratio(0.5),
+            1.0,
+            "no patch in common"
+        );
+        assert_eq!(overlap("wind=0&n=64", "wind=0&n=64", 0, 5.0).blended_variance_ratio(0.5), 1.0);
     }
 
     #[test]
     fn depth_parts_long_waves_and_late() {
         // The patch sizes are set by the state string, so that both seas have the same patches.
         let state = |depth: f64| format!("wind=9&n=64&cascades=2&patch1=300&patch2=40&depth={depth}");
-        let variance_gain = |cascade, t_s| overlap(&state(200.0), &state(8.0), cascade, t_s).variance_gain(0.5);
+        let variance_gain =
+            |cascade, t_s| overlap(&state(200.0), &state(8.0), cascade, t_s).blended_variance_ratio(0.5);
         assert!(
             variance_gain(0, 0.0) > 1.5 && variance_gain(1, 0.0) > 1.95,
             "nothing has moved yet: {}",

@@ -20,7 +20,7 @@ const MAX_STRAIN_VARIANCE: f64 = 25.0;
 /// Elevation variance, m^2, below which a sea counts as one without waves (significant wave height 4 micrometres).
 const MIN_M0_M2: f64 = 1e-12;
 /// Period after which a sea repeats if the user has set no loop, s: one day.
-const DAY_S: f64 = 86_400.0;
+const DEFAULT_REPEAT_PERIOD_S: f64 = 86_400.0;
 
 /// Everything that the simulation derives from the parameters of a sea: its wave systems (wind sea, swell), the
 /// cascades (square patches of waves, one FFT each), the period after which it repeats, and notices for the user.
@@ -39,7 +39,7 @@ pub struct Plan {
     /// Whether each patch is drawn as a blend of shifted copies, which hides its repetition.
     pub blends_copies: bool,
     /// Period after which the sea repeats, s: all angular frequencies are multiples of 2 pi / period_s.
-    pub period_s: f64,
+    pub repeat_period_s: f64,
     /// Sea parameters from which the plan was made.
     pub sea: Sea,
     /// Wave systems (wind sea, swell) that have waves, with the user's height factors and the depth limit applied.
@@ -53,7 +53,7 @@ pub struct Plan {
     /// Notices for the user, for example that the height was limited by the water depth.
     pub notices: Vec<String>,
     /// Integrals of the total spectrum of all wave systems, from which the variance between two wave numbers follows.
-    pub energy: Arc<SpectrumIntegrals>,
+    pub spectrum_integrals: Arc<SpectrumIntegrals>,
 }
 
 impl PartialEq for Plan {
@@ -85,7 +85,7 @@ impl Plan {
                 "a significant wave height of {hs:.1} m is too high for {} m of water: capped at {limit:.1} m",
                 sea.depth_m
             ));
-            energy = scale_systems(&mut systems, (limit / hs).powi(2), &dispersion);
+            energy = scale_system_variances(&mut systems, (limit / hs).powi(2), &dispersion);
         }
         let strain = energy.filtered_strain_variance(0.0, cascades::max_wave_number(&dispersion), |_| 1.0);
         if strain > MAX_STRAIN_VARIANCE {
@@ -93,9 +93,9 @@ impl Plan {
                 "waves with an rms slope of {:.0} are too steep: their height is reduced",
                 strain.sqrt()
             ));
-            energy = scale_systems(&mut systems, MAX_STRAIN_VARIANCE / strain, &dispersion);
+            energy = scale_system_variances(&mut systems, MAX_STRAIN_VARIANCE / strain, &dispersion);
         }
-        let period_s = if sea.repeat_period_s > 0.0 { sea.repeat_period_s.max(1.0) } else { DAY_S };
+        let period_s = if sea.repeat_period_s > 0.0 { sea.repeat_period_s.max(1.0) } else { DEFAULT_REPEAT_PERIOD_S };
         let omega_p = energy.omega_p;
         if sea.repeat_period_s > 0.0 && period_s * omega_p < 30.0 * TAU {
             notices.push(
@@ -106,9 +106,20 @@ impl Plan {
         let downwind = system::travel_direction(sea.first_system().from_deg);
         let blends_copies = params.grid.hide_tiling;
         let energy = Arc::new(energy);
-        let mut plan =
-            Self { n, cascades, blends_copies, period_s, sea, systems, dispersion, omega_p, downwind, notices, energy };
-        let captured_fraction = plan.captured_fraction();
+        let mut plan = Self {
+            n,
+            cascades,
+            blends_copies,
+            repeat_period_s: period_s,
+            sea,
+            systems,
+            dispersion,
+            omega_p,
+            downwind,
+            notices,
+            spectrum_integrals: energy,
+        };
+        let captured_fraction = plan.resolved_variance_fraction();
         if captured_fraction < 0.99 && !plan.is_calm() {
             plan.notices.push(format!(
                 "{} cascade(s) of {n} x {n} points hold {:.1} % of the wave energy",
@@ -146,7 +157,7 @@ impl Plan {
 
     /// Whether two plans have the same wave numbers, frequencies, random numbers and tiling; amplitudes may differ.
     pub fn has_same_waves(&self, other: &Self) -> bool {
-        let waves = |p: &Self| (p.n, p.blends_copies, p.period_s, p.sea.seed, p.dispersion);
+        let waves = |p: &Self| (p.n, p.blends_copies, p.repeat_period_s, p.sea.seed, p.dispersion);
         waves(self) == waves(other) && self.cascades == other.cascades
     }
 
@@ -161,12 +172,16 @@ impl Plan {
     }
 
     /// Fraction (0 to 1) of the elevation variance m0 that lies in the bands of the cascades; 1 for a calm sea.
-    pub fn captured_fraction(&self) -> f64 {
-        let total = self.energy.m0();
+    pub fn resolved_variance_fraction(&self) -> f64 {
+        let total = self.spectrum_integrals.m0();
         if total <= 0.0 {
             return 1.0;
         }
-        self.resolved_bands().iter().map(|&(low, high)| self.energy.m0_between(low, high)).sum::<f64>() / total
+        self.resolved_bands()
+            .iter()
+            .map(|&(low, high)| self.spectrum_integrals.m0_between_wave_numbers(low, high))
+            .sum::<f64>()
+            / total
     }
 
     /// Union of the bands of all cascades: (lowest, highest) wave number, rad/m, ascending and without overlap.
@@ -175,8 +190,11 @@ impl Plan {
     }
 
     /// Mean square slope (dimensionless) of those waves of the cascades whose wave numbers are below `k_limit` (rad/m).
-    pub fn slope_variance(&self, k_limit: f64) -> f64 {
-        self.resolved_bands().iter().map(|&(low, high)| self.energy.mss_between(low, high.min(k_limit))).sum()
+    pub fn resolved_slope_variance_below(&self, k_limit: f64) -> f64 {
+        self.resolved_bands()
+            .iter()
+            .map(|&(low, high)| self.spectrum_integrals.mss_between_wave_numbers(low, high.min(k_limit)))
+            .sum()
     }
 
     /// Variance of the strain dDx/dx + dDz/dz (the linear part of the Jacobian at chop 1) of the horizontal
@@ -187,8 +205,8 @@ impl Plan {
             let map_texel_m = cascade.patch_m / f64::from(self.n);
             let boxed = texel_m > map_texel_m;
             let width = texel_m.max(map_texel_m);
-            let response = |k: f64| sampling_response(k * width, boxed) * self.variance_weight(k);
-            self.energy.filtered_strain_variance(cascade.k_low, cascade.k_high, response)
+            let response = |k: f64| bilinear_variance_response(k * width, boxed) * self.variance_share_per_cascade(k);
+            self.spectrum_integrals.filtered_strain_variance(cascade.k_low, cascade.k_high, response)
         };
         self.cascades.iter().map(band).sum()
     }
@@ -200,7 +218,7 @@ impl Plan {
 
     /// Significant wave height 4 sqrt(m0) of the total spectrum, m, including waves outside the cascades.
     pub fn hs_m(&self) -> f64 {
-        4.0 * self.energy.m0().sqrt()
+        4.0 * self.spectrum_integrals.m0().sqrt()
     }
 
     /// Tiling with which the patch of `cascade` covers the plane: a blend of shifted copies, or plain repetition.
@@ -217,7 +235,7 @@ fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
     for (system, waves) in sea.systems.iter().zip(systems) {
         notices.extend(waves.spectrum.notice.clone());
         let sets_spread = system.spread != SpreadKind::DonelanBanner && system.spread != SpreadKind::Cos2;
-        if waves.spectrum.has_own_direction && sets_spread {
+        if waves.spectrum.has_own_spreading && sets_spread {
             notices.push("tessendorf has its own cos^2 directional spreading: spread is ignored".into());
         }
         if waves.has_measured_directions() {
@@ -237,7 +255,7 @@ fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
 }
 
 /// Multiplies the variance of all wave systems by `factor` and returns the integrals of their new total spectrum.
-fn scale_systems(systems: &mut [WaveSystem], factor: f64, dispersion: &Dispersion) -> SpectrumIntegrals {
+fn scale_system_variances(systems: &mut [WaveSystem], factor: f64, dispersion: &Dispersion) -> SpectrumIntegrals {
     for system in &mut *systems {
         system.spectrum = system.spectrum.clone().scaled(factor);
     }
@@ -257,17 +275,18 @@ fn integrate_spectrum(systems: &[WaveSystem], dispersion: &Dispersion) -> Spectr
 /// Fraction of a wave's variance that remains when a map is sampled with bilinear filtering, averaged over wave
 /// directions and positions. `kw`: wave number times texel size. `boxed`: whether texels are means (coarser mip
 /// levels).
-fn sampling_response(kw: f64, boxed: bool) -> f64 {
-    const DIRECTIONS: u32 = 6;
+fn bilinear_variance_response(kw: f64, boxed: bool) -> f64 {
+    const SAMPLED_DIRECTION_COUNT: u32 = 6;
     let axis = |x: f64| {
         let sinc = if boxed && x.abs() > 1e-6 { (0.5 * x).sin() / (0.5 * x) } else { 1.0 };
         sinc * sinc * (2.0 + x.cos()) / 3.0
     };
     let direction = |i| {
-        let (sin, cos) = (std::f64::consts::FRAC_PI_4 * (f64::from(i) + 0.5) / f64::from(DIRECTIONS)).sin_cos();
+        let (sin, cos) =
+            (std::f64::consts::FRAC_PI_4 * (f64::from(i) + 0.5) / f64::from(SAMPLED_DIRECTION_COUNT)).sin_cos();
         axis(kw * cos) * axis(kw * sin)
     };
-    (0..DIRECTIONS).map(direction).sum::<f64>() / f64::from(DIRECTIONS)
+    (0..SAMPLED_DIRECTION_COUNT).map(direction).sum::<f64>() / f64::from(SAMPLED_DIRECTION_COUNT)
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ const KRONROD_NODES_WEIGHTS: [(f64, f64); 8] = [
 const GAUSS_WEIGHTS: [f64; 4] =
     [0.129_484_966_168_869_7, 0.279_705_391_489_276_7, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
 /// Depth limit of adaptive quadrature: how many times in succession an interval is bisected at most.
-const MAX_DEPTH: u32 = 40;
+const MAX_BISECTION_DEPTH: u32 = 40;
 /// Number of evaluated intervals after which adaptive quadrature of one integral bisects no further.
 const MAX_INTERVALS: u32 = 20_000;
 
@@ -44,21 +44,31 @@ pub fn integrate_adaptive(f: impl Fn(f64) -> f64, knots: &[f64], tolerance: f64)
     let floor = 1e-15 * rough;
     let allowed = tolerance * rough.max(f64::MIN_POSITIVE);
     let mut left = MAX_INTERVALS;
-    knots.windows(2).map(|w| refine(&f, [w[0], w[1]], allowed, floor, MAX_DEPTH, &mut left)).sum()
+    knots
+        .windows(2)
+        .map(|w| integrate_by_bisection(&f, [w[0], w[1]], allowed, floor, MAX_BISECTION_DEPTH, &mut left))
+        .sum()
 }
 
 /// Integral of `f` over [a, b] by recursive bisection. An interval is accepted if its error is at most `allowed`
 /// (halved in each half) or `floor` (the rounding error of the whole integral), after `depth` bisections, or when
 /// `left`, the number of intervals that may still be evaluated, has been counted down to 0.
-fn refine(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], allowed: f64, floor: f64, depth: u32, left: &mut u32) -> f64 {
+fn integrate_by_bisection(
+    f: &impl Fn(f64) -> f64,
+    [a, b]: [f64; 2],
+    allowed: f64,
+    floor: f64,
+    depth: u32,
+    left: &mut u32,
+) -> f64 {
     let (value, error) = gauss_kronrod(f, a, b);
     *left = left.saturating_sub(1);
     if error <= allowed.max(floor) || depth == 0 || *left == 0 {
         return value;
     }
     let mid = 0.5 * (a + b);
-    refine(f, [a, mid], 0.5 * allowed, floor, depth - 1, left)
-        + refine(f, [mid, b], 0.5 * allowed, floor, depth - 1, left)
+    integrate_by_bisection(f, [a, mid], 0.5 * allowed, floor, depth - 1, left)
+        + integrate_by_bisection(f, [mid, b], 0.5 * allowed, floor, depth - 1, left)
 }
 
 /// Integral of a smooth `f` from the first to the last of `knots` (ascending). Each interval between neighbouring knots

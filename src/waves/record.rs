@@ -12,17 +12,17 @@ const SEGMENT_SAMPLES: usize = 512;
 ///
 /// It is the mean of the periodograms of segments that overlap by half. Each segment has its mean removed and a Hann
 /// window applied. The last segment ends at the newest sample. The spectrum is empty if there is no full segment.
-pub fn spectrum(heights_m: &[f64], rate_hz: f64) -> Vec<[f64; 2]> {
-    const HOP: usize = SEGMENT_SAMPLES / 2;
+pub fn welch_spectrum(heights_m: &[f64], rate_hz: f64) -> Vec<[f64; 2]> {
+    const SEGMENT_HOP_SAMPLES: usize = SEGMENT_SAMPLES / 2;
     let Some(spare) = heights_m.len().checked_sub(SEGMENT_SAMPLES) else { return Vec::new() };
-    let segments = spare / HOP + 1;
+    let segments = spare / SEGMENT_HOP_SAMPLES + 1;
     let window: Vec<f64> =
         (0..SEGMENT_SAMPLES).map(|i| 0.5 - 0.5 * (TAU * i as f64 / SEGMENT_SAMPLES as f64).cos()).collect();
     let window_power: f64 = window.iter().map(|w| w * w).sum();
     let fft = Fft::new(SEGMENT_SAMPLES);
     let mut power = vec![0.0; SEGMENT_SAMPLES / 2 + 1];
     for s in (0..segments).rev() {
-        let segment = &heights_m[spare - s * HOP..][..SEGMENT_SAMPLES];
+        let segment = &heights_m[spare - s * SEGMENT_HOP_SAMPLES..][..SEGMENT_SAMPLES];
         let mean = segment.iter().sum::<f64>() / SEGMENT_SAMPLES as f64;
         let mut line: Vec<[f64; 2]> = segment.iter().zip(&window).map(|(h, w)| [(h - mean) * w, 0.0]).collect();
         fft.forward(&mut line);
@@ -42,7 +42,7 @@ mod tests {
     fn the_spectrum_of_a_wave_is_where_it_is_and_as_large() {
         let (amplitude, omega, rate) = (1.5, 0.7, 4.0);
         let heights: Vec<f64> = (0..7200).map(|i| amplitude * (omega * f64::from(i) / rate).cos() + 3.0).collect();
-        let spectrum = spectrum(&heights, rate);
+        let spectrum = welch_spectrum(&heights, rate);
         let step = spectrum[1][0] - spectrum[0][0];
         let m0: f64 = spectrum.iter().map(|p| p[1] * step).sum();
         assert!((m0 - 0.5 * amplitude * amplitude).abs() < 1e-3 * m0, "{m0}");
@@ -58,12 +58,12 @@ mod tests {
         let plan = Plan::new(&query::parse("wind=12&n=64").0);
         let sea = StrongestWaves::new(&plan, 400);
         let heights: Vec<f64> = (0..4096).map(|i| sea.sample(3.0, 5.0, f64::from(i) / 2.0).height_m).collect();
-        let spectrum = spectrum(&heights, 2.0);
+        let spectrum = welch_spectrum(&heights, 2.0);
         let step = spectrum[1][0] - spectrum[0][0];
         let hs = 4.0 * spectrum.iter().map(|p| p[1] * step).sum::<f64>().sqrt();
         let want = plan.hs_m();
         // Half an hour holds only a few hundred waves.
         assert!((hs / want - 1.0).abs() < 0.15, "{hs} {want}");
-        assert_eq!(super::spectrum(&heights[..100], 2.0), Vec::<[f64; 2]>::new());
+        assert_eq!(welch_spectrum(&heights[..100], 2.0), Vec::<[f64; 2]>::new());
     }
 }

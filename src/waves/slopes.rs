@@ -2,7 +2,7 @@
 //! the cascades resolve, and the difference of the two, which only the shading uses.
 
 use super::plan::Plan;
-use super::system::{Directions, WaveSystem, angle_from_travel};
+use super::system::{DirectionalDistribution, WaveSystem, angle_from_travel};
 use std::f64::consts::{PI, TAU};
 
 /// Mean square slopes of the sea surface, dimensionless: first along, then across the direction of the local wind.
@@ -13,7 +13,7 @@ const INTEGRATION_STEPS: usize = 64;
 
 /// Mean square slopes of a clean sea at the wind speed U (m/s): 0.00316 U along the wind and 0.003 + 0.00192 U across
 /// it (Cox and Munk 1954).
-pub fn cox_munk(wind_m_s: f64) -> SlopeVariance {
+pub fn cox_munk_slope_variance(wind_m_s: f64) -> SlopeVariance {
     [0.00316 * wind_m_s, 0.003 + 0.00192 * wind_m_s]
 }
 
@@ -32,7 +32,7 @@ pub fn slope_variance_between(plan: &Plan, k_low: f64, k_high: f64) -> SlopeVari
         let omega = from * (step * (i as f64 + 0.5)).exp();
         let weight = omega * step * plan.dispersion.wave_number(omega).powi(2);
         for system in &plan.systems {
-            let along = mean_cos2(system, omega, plan.downwind);
+            let along = mean_cos2_from_axis(system, omega, plan.downwind);
             let mss = weight * system.spectrum.density(omega);
             sum[0] += mss * along;
             sum[1] += mss * (1.0 - along);
@@ -52,7 +52,7 @@ pub fn resolved_slope_variance(plan: &Plan) -> SlopeVariance {
 /// Mean square slopes of the waves too short for the cascades, which only the shading uses: those of Cox and Munk
 /// (1954) minus `resolved`, those of the waves in the cascades, at least 0.
 pub fn residual_slope_variance(plan: &Plan, resolved: SlopeVariance) -> SlopeVariance {
-    let total = cox_munk(plan.sea.first_system().wind_m_s);
+    let total = cox_munk_slope_variance(plan.sea.first_system().wind_m_s);
     [0, 1].map(|axis| (total[axis] - resolved[axis]).max(0.0))
 }
 
@@ -63,14 +63,14 @@ pub fn residual_slope_variance(plan: &Plan, resolved: SlopeVariance) -> SlopeVar
 /// `reach_m` is the water depth times 1 - n_air/n_water (refractive indices). Where longer waves alone cause a strain
 /// variance of 0.4, the light patterns of shorter waves overlap and blur.
 pub fn shortest_caustic_half_wavelength_m(plan: &Plan, reach_m: f64) -> f64 {
-    const STRAIN_VARIANCE: f64 = 0.4;
+    const MAX_CAUSTIC_STRAIN_VARIANCE: f64 = 0.4;
     let (low, high) = (plan.dispersion.wave_number(plan.frequency_range().0).max(1e-4), plan.k_max().max(2e-4));
     let step = (high / low).ln() / INTEGRATION_STEPS as f64;
     let mut variance = 0.0;
     for i in 0..INTEGRATION_STEPS {
         let (a, b) = (low * (step * i as f64).exp(), low * (step * (i + 1) as f64).exp());
-        variance += plan.energy.mss_between(a, b) * a * b * reach_m * reach_m;
-        if variance > STRAIN_VARIANCE {
+        variance += plan.spectrum_integrals.mss_between_wave_numbers(a, b) * a * b * reach_m * reach_m;
+        if variance > MAX_CAUSTIC_STRAIN_VARIANCE {
             return PI / a;
         }
     }
@@ -79,7 +79,7 @@ pub fn shortest_caustic_half_wavelength_m(plan: &Plan, reach_m: f64) -> f64 {
 
 /// Mean of cos^2 of the angle between `axis`, a unit vector (x, z), and the directions of travel of the waves of
 /// `system` at angular frequency `omega` (rad/s), weighted by the directional spreading; 1/2 for isotropic waves.
-fn mean_cos2(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
+fn mean_cos2_from_axis(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
     let mean = |density: &dyn Fn([f64; 2]) -> f64| {
         let (mut sum, mut total) = (0.0, 0.0);
         for i in 0..INTEGRATION_STEPS {
@@ -90,14 +90,13 @@ fn mean_cos2(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
         }
         if total > 0.0 { sum / total } else { 0.5 }
     };
-    match system.directions(omega) {
-        Directions::Measured(mem) => mean(&|k| mem.density(k[1].atan2(k[0]))),
-        Directions::Lobes(lobes) => {
-            let directed = lobes
-                .lobes
-                .iter()
-                .map(|(share, lobe)| share * mean(&|k| lobe.shape(angle_from_travel(system.travel, k))));
-            directed.sum::<f64>() + 0.5 * lobes.isotropic
+    match system.directional_distribution(omega) {
+        DirectionalDistribution::Measured(mem) => mean(&|k| mem.density(k[1].atan2(k[0]))),
+        DirectionalDistribution::Lobes(lobes) => {
+            let directed = lobes.lobes.iter().map(|(share, lobe)| {
+                share * mean(&|k| lobe.unnormalised_density(angle_from_travel(system.travel_direction, k)))
+            });
+            directed.sum::<f64>() + 0.5 * lobes.isotropic_fraction
         }
     }
 }
@@ -116,7 +115,7 @@ mod tests {
         for state in ["wind=14&fetch=300", "wind=7&spectrum=elfouhaily&spread=elfouhaily", "wind=9&scale2=1&iso=0.3"] {
             let plan = plan(state);
             let [along, across] = resolved_slope_variance(&plan);
-            let mss = plan.slope_variance(f64::INFINITY);
+            let mss = plan.resolved_slope_variance_below(f64::INFINITY);
             assert!(((along + across) / mss - 1.0).abs() < 0.02, "{state}: {along} + {across} against {mss}");
             assert!(along > across, "{state}: {along} {across}");
         }

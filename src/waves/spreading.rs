@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 const MAX_LOBES: usize = 3;
 /// Largest exponent s of a lobe cos^{2s}(theta/2). A lobe with a larger s has a standard deviation below 7 degrees,
 /// which the lattice of wave vectors cannot resolve at the low edge of a cascade's wave-number band.
-const MAX_S: f64 = 150.0;
+const MAX_COSINE_EXPONENT: f64 = 150.0;
 
 /// Directional spreading of one wave system: how its energy at each frequency is distributed over directions.
 #[derive(Clone, Debug)]
@@ -52,17 +52,17 @@ pub enum CosineFactor {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lobe {
     /// Rate beta of the lobe's factor sech^2(beta theta), per rad; 0 if the lobe has no such factor.
-    pub beta: f64,
+    pub sech_rate_per_rad: f64,
     /// Exponent s of the lobe's factor cos^{2s}(theta/2); 0 if the lobe has no such factor.
-    pub s: f64,
+    pub cosine_exponent: f64,
     /// Additional factor of the lobe: 1, or cos^2(theta) over the whole circle or its forward half.
-    pub cosine: CosineFactor,
+    pub cosine_factor: CosineFactor,
 }
 
 /// Directional spreading at one frequency, as an isotropic part and lobes whose fractions of the energy add to 1.
-pub struct Lobes {
+pub struct SpreadingAtFrequency {
     /// Fraction of the energy that is spread evenly over all directions.
-    pub isotropic: f64,
+    pub isotropic_fraction: f64,
     /// Lobes, as pairs of the lobe's fraction of the energy and its shape.
     pub lobes: Vec<(f64, Lobe)>,
 }
@@ -71,7 +71,7 @@ impl Spreading {
     /// Makes the directional spreading of a wave system from its parameters and its frequency spectrum.
     pub fn new(sea: &Sea, system: &WaveSystemParams, spectrum: &FrequencySpectrum) -> Self {
         let omega_p = spectrum.omega_p;
-        let (first, second, blend, mut isotropic) = if spectrum.has_own_direction {
+        let (first, second, blend, mut isotropic) = if spectrum.has_own_spreading {
             (SpreadKind::Cos2, SpreadKind::Cos2, 0.0, 0.0)
         } else {
             (system.spread, system.blend_to, system.blend_weight, system.isotropic_fraction)
@@ -99,10 +99,14 @@ impl Spreading {
 
     /// Directional spreading at the angular frequency `omega` (rad/s, positive), as an isotropic part and lobes. The
     /// number of lobes and their cosine factors are the same at every frequency.
-    pub fn lobes(&self, omega: f64) -> Lobes {
+    pub fn lobes(&self, omega: f64) -> SpreadingAtFrequency {
         let r = omega / self.omega_p;
         let swell_s = 16.0 * (1.0 / r).tanh() * self.swell * self.swell;
-        let lobe = |beta, s: f64, cosine| Lobe { beta, s: (s + swell_s).min(MAX_S), cosine };
+        let lobe = |beta, s: f64, cosine| Lobe {
+            sech_rate_per_rad: beta,
+            cosine_exponent: (s + swell_s).min(MAX_COSINE_EXPONENT),
+            cosine_factor: cosine,
+        };
         let mut lobes = Vec::with_capacity(MAX_LOBES);
         for &(kind, share) in &self.families {
             let lobe = match kind {
@@ -118,7 +122,7 @@ impl Spreading {
                     let speed = |omega: f64| omega / self.dispersion.wave_number(omega);
                     let delta = elfouhaily_delta(speed(omega), speed(self.omega_p), self.wind_m_s);
                     let terms = [CosineFactor::One, CosineFactor::Squared].map(|c| lobe(0.0, 0.0, c));
-                    let [even, squared] = terms.map(|lobe| lobe.norm(self.spreading_norm_panels));
+                    let [even, squared] = terms.map(|lobe| lobe.normalising_factor(self.spreading_norm_panels));
                     let parts = [(1.0 - delta) / even, 2.0 * delta / squared];
                     lobes.extend([0, 1].map(|i| (share * parts[i] / (parts[0] + parts[1]), terms[i])));
                     continue;
@@ -126,7 +130,7 @@ impl Spreading {
             };
             lobes.push((share, lobe));
         }
-        Lobes { isotropic: self.isotropic, lobes }
+        SpreadingAtFrequency { isotropic_fraction: self.isotropic, lobes }
     }
 
     /// Directional spreading D, per rad, at angular frequency `omega` (rad/s) and angle `theta` (rad, from the main
@@ -136,9 +140,11 @@ impl Spreading {
         let sum: f64 = at
             .lobes
             .iter()
-            .map(|(share, lobe)| share * lobe.norm(self.spreading_norm_panels) * lobe.shape(theta))
+            .map(|(share, lobe)| {
+                share * lobe.normalising_factor(self.spreading_norm_panels) * lobe.unnormalised_density(theta)
+            })
             .sum();
-        sum + at.isotropic / (2.0 * PI)
+        sum + at.isotropic_fraction / (2.0 * PI)
     }
 
     /// First directional moment, 0 to 1, at the angular frequency `omega` (rad/s): the mean of cos(theta) weighted by
@@ -165,14 +171,15 @@ impl Spreading {
 /// U omega_p / g for the wind speed U.
 fn mitsuyasu_s(r: f64, inverse_age: f64) -> f64 {
     let peak = 11.5 * inverse_age.max(1e-3).powf(-2.5);
-    (peak * r.powf(if r <= 1.0 { 5.0 } else { -2.5 })).min(MAX_S)
+    (peak * r.powf(if r <= 1.0 { 5.0 } else { -2.5 })).min(MAX_COSINE_EXPONENT)
 }
 
 /// Exponent s of the spreading cos^{2s}(theta/2) by Hasselmann, Dunckel and Ewing 1980: 6.97 r^4.06 below and
 /// 9.77 r^(-2.33 - 1.45 (a - 1.17)) above the spectral peak, with `r` = omega / omega_p and the inverse wave age a =
 /// `inverse_age` = U omega_p / g for the wind speed U.
 fn hasselmann_s(r: f64, inverse_age: f64) -> f64 {
-    if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }.min(MAX_S)
+    if r <= 1.0 { 6.97 * r.powf(4.06) } else { 9.77 * r.powf(-2.33 - 1.45 * (inverse_age - 1.17)) }
+        .min(MAX_COSINE_EXPONENT)
 }
 
 /// Rate beta (per rad) of the directional spreading sech^2(beta theta) at `r` = omega / omega_p (frequency over peak
@@ -189,64 +196,70 @@ fn donelan_banner_beta(r: f64) -> f64 {
 
 impl Lobe {
     /// Value of the lobe (1 at theta = 0) at the angle `theta` (rad) from the main direction of travel, not normalised.
-    pub fn shape(&self, theta: f64) -> f64 {
-        let sech = 1.0 / (self.beta * theta).cosh();
-        let cosine = match self.cosine {
+    pub fn unnormalised_density(&self, theta: f64) -> f64 {
+        let sech = 1.0 / (self.sech_rate_per_rad * theta).cosh();
+        let cosine = match self.cosine_factor {
             CosineFactor::One => 1.0,
             CosineFactor::Squared => theta.cos().powi(2),
             CosineFactor::SquaredForward => theta.cos().max(0.0).powi(2),
         };
-        sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.s) * cosine
+        sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.cosine_exponent) * cosine
     }
 
     /// Integral of `f`(theta) times the lobe from 0 to pi rad, in up to six pieces of `steps` 15-point Kronrod panels.
     /// The pieces are short inside the lobe and near pi, where cos^{2s}(theta/2) with a small s is not smooth.
-    fn half_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
-        let width = (3.0 / (self.beta * self.beta + 0.25 * self.s).sqrt().max(1e-3)).min(0.4 * PI);
+    fn half_circle_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
+        let width = (3.0
+            / (self.sech_rate_per_rad * self.sech_rate_per_rad + 0.25 * self.cosine_exponent).sqrt().max(1e-3))
+        .min(0.4 * PI);
         let ends = [0.0, 0.4 * width, width, 0.5 * PI, PI - 0.1, PI - 0.005, PI];
-        let pieces = if self.cosine == CosineFactor::SquaredForward { &ends[..4] } else { &ends };
-        integrate_panels(|theta| f(theta) * self.shape(theta), pieces, steps)
+        let pieces = if self.cosine_factor == CosineFactor::SquaredForward { &ends[..4] } else { &ends };
+        integrate_panels(|theta| f(theta) * self.unnormalised_density(theta), pieces, steps)
     }
 
     /// Norm of the lobe, the factor that makes its integral over all directions 1: in closed form if there is one,
     /// otherwise by quadrature with `steps` 15-point Kronrod panels in each of up to six pieces of the half circle.
-    pub fn norm(&self, steps: u32) -> f64 {
-        self.closed_norm().unwrap_or_else(|| 1.0 / (2.0 * self.half_integral(|_| 1.0, steps)))
+    pub fn normalising_factor(&self, steps: u32) -> f64 {
+        self.closed_form_normalising_factor().unwrap_or_else(|| 1.0 / (2.0 * self.half_circle_integral(|_| 1.0, steps)))
     }
 
     /// Norm of the lobe (the inverse of its integral over all directions) in closed form; `None` without such a form.
-    pub fn closed_norm(&self) -> Option<f64> {
-        Some(match self.cosine {
+    pub fn closed_form_normalising_factor(&self) -> Option<f64> {
+        Some(match self.cosine_factor {
             // beta / (2 tanh(beta pi)); its limit for beta = 0 is 1 / (2 pi).
-            CosineFactor::One if self.s == 0.0 && self.beta < 1e-6 => 1.0 / (2.0 * PI),
-            CosineFactor::One if self.s == 0.0 => self.beta / (2.0 * (self.beta * PI).tanh()),
-            CosineFactor::One if self.beta == 0.0 => cosine_norm(self.s),
-            // cos^2 = (1 + cos 2 theta) / 2; the second moment of cos^{2s}(theta/2) is s (s - 1) / ((s + 1)(s + 2)).
-            CosineFactor::Squared if self.beta == 0.0 => {
-                let second = self.s * (self.s - 1.0) / ((self.s + 1.0) * (self.s + 2.0));
-                2.0 * cosine_norm(self.s) / (1.0 + second)
+            CosineFactor::One if self.cosine_exponent == 0.0 && self.sech_rate_per_rad < 1e-6 => 1.0 / (2.0 * PI),
+            CosineFactor::One if self.cosine_exponent == 0.0 => {
+                self.sech_rate_per_rad / (2.0 * (self.sech_rate_per_rad * PI).tanh())
             }
-            CosineFactor::SquaredForward if self.s == 0.0 && self.beta == 0.0 => 2.0 / PI,
+            CosineFactor::One if self.sech_rate_per_rad == 0.0 => cosine_power_normalising_factor(self.cosine_exponent),
+            // cos^2 = (1 + cos 2 theta) / 2; the second moment of cos^{2s}(theta/2) is s (s - 1) / ((s + 1)(s + 2)).
+            CosineFactor::Squared if self.sech_rate_per_rad == 0.0 => {
+                let second = self.cosine_exponent * (self.cosine_exponent - 1.0)
+                    / ((self.cosine_exponent + 1.0) * (self.cosine_exponent + 2.0));
+                2.0 * cosine_power_normalising_factor(self.cosine_exponent) / (1.0 + second)
+            }
+            CosineFactor::SquaredForward if self.cosine_exponent == 0.0 && self.sech_rate_per_rad == 0.0 => 2.0 / PI,
             _ => return None,
         })
     }
 
     /// First directional moment, 0 to 1, of the lobe: the mean of cos(theta) weighted by the lobe, where theta is the
-    /// angle from the main direction of travel. `steps` is as in [`Self::norm`]; the integral of cos(theta) takes 2.
+    /// angle from the main direction of travel. `steps` is as in
+    /// [`Self::normalising_factor`]; the integral of cos(theta) takes 2.
     pub fn first_moment(&self, steps: u32) -> f64 {
-        if self.cosine == CosineFactor::One && self.beta == 0.0 {
-            return self.s / (self.s + 1.0);
+        if self.cosine_factor == CosineFactor::One && self.sech_rate_per_rad == 0.0 {
+            return self.cosine_exponent / (self.cosine_exponent + 1.0);
         }
-        if self.cosine == CosineFactor::Squared && self.s == 0.0 && self.beta == 0.0 {
+        if self.cosine_factor == CosineFactor::Squared && self.cosine_exponent == 0.0 && self.sech_rate_per_rad == 0.0 {
             return 0.0;
         }
-        2.0 * self.norm(steps) * self.half_integral(f64::cos, 2)
+        2.0 * self.normalising_factor(steps) * self.half_circle_integral(f64::cos, 2)
     }
 }
 
 /// Norm of cos^{2s}(theta/2), the inverse of its integral over the circle: 2^{2s-1}/pi Gamma(s+1)^2 / Gamma(2s+1). It
 /// uses ln Gamma, because Gamma would overflow and Stirling's approximation is 8 % off at s = 0.
-fn cosine_norm(s: f64) -> f64 {
+fn cosine_power_normalising_factor(s: f64) -> f64 {
     ((2.0 * s - 1.0) * std::f64::consts::LN_2 - PI.ln() + 2.0 * libm::lgamma(s + 1.0) - libm::lgamma(2.0 * s + 1.0))
         .exp()
 }
@@ -339,9 +352,9 @@ mod tests {
 
     #[test]
     fn few_steps_are_felt() {
-        let lobe = Lobe { beta: 2.0, s: 0.02, cosine: CosineFactor::One };
-        let exact = lobe.norm(64);
-        let errors = [1, 2, 4].map(|steps| (lobe.norm(steps) / exact - 1.0).abs());
+        let lobe = Lobe { sech_rate_per_rad: 2.0, cosine_exponent: 0.02, cosine_factor: CosineFactor::One };
+        let exact = lobe.normalising_factor(64);
+        let errors = [1, 2, 4].map(|steps| (lobe.normalising_factor(steps) / exact - 1.0).abs());
         assert!(errors[1] < 1e-7 && errors[0] > errors[1], "the number of steps counts: {errors:?}");
     }
 }

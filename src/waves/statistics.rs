@@ -4,11 +4,11 @@
 use super::noise;
 use super::plan::{Cascade, Plan};
 use super::quadrature::integrate_adaptive;
-use super::table::{Table, entry_index};
+use super::table::{SpectrumTable, entry_index};
 use std::f64::consts::TAU;
 
 /// Expected statistics of a planned sea from integrals of its spectrum by adaptive quadrature, which do not use the
-/// coarser integrals in [`Plan::energy`].
+/// coarser integrals in [`Plan::spectrum_integrals`].
 ///
 /// ```
 /// use seastate::state::query;
@@ -71,7 +71,7 @@ pub struct LatticeStatistics {
     /// Elevation variance of the waves in the cascades as a fraction of that of the whole spectrum.
     pub m0_fraction: f64,
     /// First directional moment r1, 0 to 1: length of the energy-weighted mean of the unit vectors of travel.
-    pub r1: f64,
+    pub first_directional_moment: f64,
     /// Mean direction that the waves come from, degrees clockwise from north; `None` if no direction dominates.
     pub mean_from_deg: Option<f64>,
     /// Directional spread sqrt(2 (1 - r1)) of the waves, converted to degrees, with the first directional moment `r1`.
@@ -79,7 +79,7 @@ pub struct LatticeStatistics {
 }
 
 /// Relative tolerance of the integrals of the spectrum for m0, mean periods and mean square slope.
-const TOLERANCE: f64 = 1e-7;
+const SPECTRUM_INTEGRAL_TOLERANCE: f64 = 1e-7;
 /// First directional moment r1 (length of the mean unit vector of travel) above which a mean direction is reported.
 pub const MIN_R1_FOR_DIRECTION: f64 = 0.01;
 
@@ -96,7 +96,7 @@ impl SpectrumStatistics {
         let mut knots: Vec<f64> = plan
             .systems
             .iter()
-            .flat_map(|s| [s.spectrum.breakpoints.clone(), s.spreading.breakpoints()].concat())
+            .flat_map(|s| [s.spectrum.integration_breakpoints_rad_s.clone(), s.spreading.breakpoints()].concat())
             .collect();
         knots.extend(plan.systems.iter().map(|s| s.spectrum.frequency_range().0));
         knots.extend((1..8).map(|i| low * (high / low).powf(f64::from(i) / 8.0)));
@@ -110,8 +110,10 @@ impl SpectrumStatistics {
             .map(|(a, b)| (a.clamp(low, high), b.clamp(low, high)))
             .filter(|(a, b)| a < b)
             .collect();
-        let resolved = |f: &dyn Fn(f64) -> f64| bands.iter().map(|&(a, b)| integral(f, a, b, TOLERANCE)).sum::<f64>();
-        let m0 = integral(&s, low, high, TOLERANCE);
+        let resolved = |f: &dyn Fn(f64) -> f64| {
+            bands.iter().map(|&(a, b)| integral(f, a, b, SPECTRUM_INTEGRAL_TOLERANCE)).sum::<f64>()
+        };
+        let m0 = integral(&s, low, high, SPECTRUM_INTEGRAL_TOLERANCE);
         let [m0_resolved, m1, m2] = [0, 1, 2].map(|power| resolved(&|w| w.powi(power) * s(w)));
         let mss = resolved(&|w| s(w) * dispersion.wave_number(w).powi(2));
         let first_moment = [0, 1].map(|axis| {
@@ -150,7 +152,7 @@ impl LatticeStatistics {
     /// of the whole spectrum (m^2), of which `m0_fraction` is the part in the cascades.
     pub fn new(plan: &Plan, theory_m0: f64) -> Self {
         let mut moments = SpectralMoments::default();
-        for (cascade, table) in plan.cascades.iter().zip(Table::for_all_cascades(plan)) {
+        for (cascade, table) in plan.cascades.iter().zip(SpectrumTable::for_all_cascades(plan)) {
             for (ix, iz) in lattice_indices(plan.n) {
                 let wave = &table.waves[entry_index(ix, iz)];
                 if wave.k > 0.0 {
@@ -211,7 +213,7 @@ impl SpectralMoments {
             tm02_s: TAU * (m0 / m2).sqrt(),
             mss: self.mss,
             m0_fraction: if theory_m0 > 0.0 { m0 / theory_m0 } else { 1.0 },
-            r1,
+            first_directional_moment: r1,
             mean_from_deg: (r1 > MIN_R1_FOR_DIRECTION).then(|| bearing_waves_come_from_deg(self.first_moment)),
             spread_deg: spread_deg(r1),
         }
@@ -236,7 +238,7 @@ pub fn cox_munk_mss(wind_m_s: f64) -> f64 {
 /// Complex amplitude h0(k) at time 0 as (re, im), m, of the wave with the signed lattice indices (ix, iz) in a cascade,
 /// for the seed of the plan. `table` is the spectrum table of this cascade. The Nyquist indices -n/2 and n/2 are not
 /// allowed.
-pub fn initial_amplitude(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32, iz: i32) -> [f64; 2] {
+pub fn initial_amplitude(plan: &Plan, cascade: &Cascade, table: &SpectrumTable, ix: i32, iz: i32) -> [f64; 2] {
     let deviation = table.variance(ix, iz).sqrt();
     noise::complex_gaussian(noise::noise_words(plan.sea.seed, cascade.noise_key, ix, iz)).map(|x| x * deviation)
 }
@@ -246,7 +248,7 @@ pub fn initial_amplitude(plan: &Plan, cascade: &Cascade, table: &Table, ix: i32,
 pub fn realised_variance(plan: &Plan, t_s: f64) -> f64 {
     let phase_time = plan.period_fraction_u32(t_s);
     let mut total = 0.0;
-    for (cascade, table) in plan.cascades.iter().zip(Table::for_all_cascades(plan)) {
+    for (cascade, table) in plan.cascades.iter().zip(SpectrumTable::for_all_cascades(plan)) {
         // h(-k) is the conjugate of h(k), so half of the lattice is enough.
         for (ix, iz) in lattice_indices(plan.n).filter(|&(ix, iz)| iz > 0 || (iz == 0 && ix > 0)) {
             let wave = &table.waves[entry_index(ix, iz)];

@@ -1,8 +1,8 @@
 //! A wave system, such as the local wind sea or the swell, with its frequency spectrum and directional distribution.
 
 use super::spectra::{self, FrequencySpectrum};
-use super::spreading::{CosineFactor, Lobes, Spreading};
-use crate::files::measured::MaximumEntropy;
+use super::spreading::{CosineFactor, Spreading, SpreadingAtFrequency};
+use crate::files::measured::MaximumEntropyDistribution;
 use crate::state::params::{Sea, WaveSystemParams};
 
 /// One wave system of a planned sea, such as the local wind sea or the swell.
@@ -13,28 +13,28 @@ pub struct WaveSystem {
     /// Directional spreading; unused if a buoy has measured the directions.
     pub spreading: Spreading,
     /// Unit vector (x, z) of the main direction in which the waves travel.
-    pub travel: [f64; 2],
+    pub travel_direction: [f64; 2],
 }
 
 /// Directional distribution of the energy of a wave system at one frequency.
-pub enum Directions {
+pub enum DirectionalDistribution {
     /// Spreading model: lobes around the main direction of travel.
-    Lobes(Lobes),
+    Lobes(SpreadingAtFrequency),
     /// Measured directions: the maximum entropy distribution for a buoy's moments, with angles from +x towards +z.
-    Measured(MaximumEntropy),
+    Measured(MaximumEntropyDistribution),
 }
 
 /// Kind of a term of the directional spectrum, which is a sum of terms: one for each lobe of a directional spreading,
 /// or one for a buoy's distribution. For each wave number a term stores one or two vectors of four numbers, which the
 /// spectrum shader evaluates in the direction of each wave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TermKind {
+pub enum DirectionalTermKind {
     /// One lobe of the directional spreading with its factor 1 or cos^2(theta). It stores one vector: (v x norm x
     /// energy fraction of the lobe, beta, s, v / (2 pi) x isotropic energy fraction, or 0 after the first lobe), with
     /// the variance v, m^2, of the real part of the amplitude at time 0, before the directional spreading (1/rad).
     Lobe(CosineFactor),
-    /// A buoy's distribution [`MaximumEntropy`] with the complex coefficients phi1 and phi2. It stores two vectors:
-    /// (v x norm, Re phi1, Im phi1, Re phi2) and (Im phi2, 0, 0, 0), with the variance v as in `Lobe`.
+    /// A buoy's distribution [`MaximumEntropyDistribution`] with the complex coefficients phi1 and phi2. It stores two
+    /// vectors: (v x norm, Re phi1, Im phi1, Re phi2) and (Im phi2, 0, 0, 0), with the variance v as in `Lobe`.
     Measured,
 }
 
@@ -45,7 +45,7 @@ impl WaveSystem {
         let spectrum =
             spectra::spectrum_of_system(sea, system).scaled(sea.displacement_factor * sea.displacement_factor);
         let spreading = Spreading::new(sea, system, &spectrum);
-        Self { spectrum, spreading, travel: travel_direction(system.from_deg) }
+        Self { spectrum, spreading, travel_direction: travel_direction(system.from_deg) }
     }
 
     /// Whether the wave directions come from a buoy's data instead of a spreading model.
@@ -55,52 +55,55 @@ impl WaveSystem {
 
     /// Maximum entropy distribution for the buoy's directional moments at the angular frequency `omega` (rad/s); `None`
     /// without such data. Its moments differ from the measured ones where no distribution can have the measured ones.
-    fn measured(&self, omega: f64) -> Option<MaximumEntropy> {
-        self.spectrum.measured.as_ref()?.moments(omega).map(MaximumEntropy::new)
+    fn measured_directional_distribution(&self, omega: f64) -> Option<MaximumEntropyDistribution> {
+        self.spectrum.measured.as_ref()?.directional_moments(omega).map(MaximumEntropyDistribution::new)
     }
 
     /// Distribution of the wave system's energy over directions at the angular frequency `omega` (rad/s): that of the
     /// buoy's data if it has measured directions, otherwise that of the spreading model.
-    pub fn directions(&self, omega: f64) -> Directions {
-        self.measured(omega).map_or_else(|| Directions::Lobes(self.spreading.lobes(omega)), Directions::Measured)
+    pub fn directional_distribution(&self, omega: f64) -> DirectionalDistribution {
+        self.measured_directional_distribution(omega).map_or_else(
+            || DirectionalDistribution::Lobes(self.spreading.lobes(omega)),
+            DirectionalDistribution::Measured,
+        )
     }
 
     /// Directional spreading D of this wave system, per rad, at angular frequency `omega` (rad/s) in the direction in
     /// which the wave vector `k` (x, z; any length) points. Its integral over all directions is 1.
     pub fn direction_density(&self, omega: f64, k: [f64; 2]) -> f64 {
-        match self.measured(omega) {
+        match self.measured_directional_distribution(omega) {
             Some(mem) => mem.density(k[1].atan2(k[0])),
-            None => self.spreading.density(omega, angle_from_travel(self.travel, k)),
+            None => self.spreading.density(omega, angle_from_travel(self.travel_direction, k)),
         }
     }
 
     /// First directional moment of this wave system at the angular frequency `omega` (rad/s): the mean unit vector of
     /// travel (x, z), weighted by the directional spreading.
     pub fn first_moment(&self, omega: f64) -> [f64; 2] {
-        match self.measured(omega) {
+        match self.measured_directional_distribution(omega) {
             Some(mem) => mem.first_moment(),
             None => {
                 let r1 = self.spreading.first_moment(omega);
-                self.travel.map(|t| t * r1)
+                self.travel_direction.map(|t| t * r1)
             }
         }
     }
 
     /// Kinds of the terms (lobes, or one measured distribution) whose sum is the directional spectrum of this wave
     /// system. They are the same at every frequency.
-    pub fn terms(&self) -> Vec<TermKind> {
+    pub fn terms(&self) -> Vec<DirectionalTermKind> {
         if self.has_measured_directions() {
-            return vec![TermKind::Measured];
+            return vec![DirectionalTermKind::Measured];
         }
         let lobes = self.spreading.lobes(self.spectrum.omega_p).lobes;
         if lobes.is_empty() {
-            return vec![TermKind::Lobe(CosineFactor::One)];
+            return vec![DirectionalTermKind::Lobe(CosineFactor::One)];
         }
-        lobes.iter().map(|(_, lobe)| TermKind::Lobe(lobe.cosine)).collect()
+        lobes.iter().map(|(_, lobe)| DirectionalTermKind::Lobe(lobe.cosine_factor)).collect()
     }
 }
 
-impl TermKind {
+impl DirectionalTermKind {
     /// Number of vectors of four numbers that a term of this kind stores for each wave number.
     pub fn vectors_per_entry(self) -> usize {
         if self == Self::Measured { 2 } else { 1 }

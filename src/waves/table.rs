@@ -7,16 +7,16 @@
 use super::lattice::LatticeWave;
 use super::plan::{Cascade, Plan};
 use super::spreading::Lobe;
-use super::system::{Directions, TermKind, WaveSystem, angle_from_travel};
-use crate::files::measured::MaximumEntropy;
+use super::system::{DirectionalDistribution, DirectionalTermKind, WaveSystem, angle_from_travel};
+use crate::files::measured::MaximumEntropyDistribution;
 use std::f64::consts::PI;
 
 /// One part of the directional spectrum of a sea: one lobe of a wave system's directional spreading, or the
 /// distribution that a buoy measured. The variance of a wave is the sum over all these parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Term {
-    /// Kind of the term, which defines the meaning of its values in a spectrum [`Table`].
-    pub kind: TermKind,
+pub struct DirectionalTerm {
+    /// Kind of the term, which defines the meaning of its values in a spectrum [`SpectrumTable`].
+    pub kind: DirectionalTermKind,
     /// Main direction of travel of the wave system, a unit vector (x, z), from which the term's angles are measured.
     pub travel: [f64; 2],
     /// A table entry (all that is stored for one wave number) is a list of vectors of four numbers. This is the index
@@ -26,11 +26,11 @@ pub struct Term {
 
 /// Returns the terms whose sum is the directional spectrum of a planned sea, and the number of vectors of four numbers
 /// in each table entry, which is at least 1.
-pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
+pub fn directional_terms(plan: &Plan) -> (Vec<DirectionalTerm>, usize) {
     let (mut terms, mut first_vector) = (Vec::new(), 0);
     for system in &plan.systems {
         for kind in system.terms() {
-            terms.push(Term { kind, travel: system.travel, first_vector });
+            terms.push(DirectionalTerm { kind, travel: system.travel_direction, first_vector });
             first_vector += kind.vectors_per_entry();
         }
     }
@@ -40,18 +40,18 @@ pub fn terms(plan: &Plan) -> (Vec<Term>, usize) {
 /// Precomputed spectrum of one cascade for the spectrum shader. One entry serves all wave vectors of its lattice that
 /// differ only in signs and order of (ix, iz), which have the same wave number |k|.
 #[derive(Clone, Debug)]
-pub struct Table {
+pub struct SpectrumTable {
     /// Parts of the directional spectrum of the sea (spreading lobes, buoy distributions), the same for every cascade.
-    pub terms: Vec<Term>,
+    pub terms: Vec<DirectionalTerm>,
     /// Number of vectors of four numbers in each table entry.
     pub vectors_per_entry: usize,
     /// Wave number and frequency for each table entry, shared by all its wave vectors; the wave number is 0 outside the
     /// band of the cascade.
     pub waves: Vec<LatticeWave>,
-    /// Values of the terms in the layout of [`TermKind`], `vectors_per_entry` vectors for each table entry. The
-    /// variances in them are those of the real and of the imaginary part of the initial amplitude h0 (m^2): a quarter
-    /// of the elevation variance in a lattice cell, before the directional factor.
-    pub values: Vec<[f64; 4]>,
+    /// Values of the terms in the layout of [`DirectionalTermKind`], `vectors_per_entry` vectors for each table entry.
+    /// The variances in them are those of the real and of the imaginary part of the initial amplitude h0 (m^2): a
+    /// quarter of the elevation variance in a lattice cell, before the directional factor.
+    pub term_vectors: Vec<[f64; 4]>,
 }
 
 /// Number of entries of a table for a lattice of n x n wave vectors.
@@ -67,28 +67,28 @@ pub fn entry_index(ix: i32, iz: i32) -> usize {
     a * (a + 1) / 2 + b
 }
 
-impl Table {
+impl SpectrumTable {
     /// Computes the spectrum tables of all cascades of a plan, in the order of its cascades.
     pub fn for_all_cascades(plan: &Plan) -> Vec<Self> {
-        let norms: Vec<Norms> = plan.systems.iter().map(Norms::new).collect();
+        let norms: Vec<LobeNorms> = plan.systems.iter().map(LobeNorms::new).collect();
         plan.cascades.iter().map(|c| Self::with_norms(plan, c, &norms)).collect()
     }
 
     /// Computes the spectrum table of `cascade`, one of the cascades of `plan`.
     pub fn new(plan: &Plan, cascade: &Cascade) -> Self {
-        Self::with_norms(plan, cascade, &plan.systems.iter().map(Norms::new).collect::<Vec<_>>())
+        Self::with_norms(plan, cascade, &plan.systems.iter().map(LobeNorms::new).collect::<Vec<_>>())
     }
 
-    fn with_norms(plan: &Plan, cascade: &Cascade, norms: &[Norms]) -> Self {
+    fn with_norms(plan: &Plan, cascade: &Cascade, norms: &[LobeNorms]) -> Self {
         let half = plan.n / 2;
-        let (terms, vectors_per_entry) = terms(plan);
+        let (terms, vectors_per_entry) = directional_terms(plan);
         let outside = LatticeWave { k: 0.0, cycles_per_period: 1, omega: 0.0, orbit_axis_ratio: 0.0 };
         let entries = entry_count(plan.n);
         let mut out = Self {
             terms,
             vectors_per_entry,
             waves: Vec::with_capacity(entries),
-            values: Vec::with_capacity(entries * vectors_per_entry),
+            term_vectors: Vec::with_capacity(entries * vectors_per_entry),
         };
         for a in 0..=half {
             for b in 0..=a {
@@ -97,14 +97,14 @@ impl Table {
                 if i2 == 0 || !cascade.contains_wave_number(k) {
                     out.waves.push(outside);
                 } else {
-                    let wave = plan.wave(cascade, i2);
+                    let wave = plan.wave_at_squared_index(cascade, i2);
                     for (system, norms) in plan.systems.iter().zip(norms) {
-                        let variance = 0.25 * plan.cell_variance_per_radian(system, cascade, &wave);
-                        push_system_values(&mut out.values, system, norms, variance, wave.omega);
+                        let variance = 0.25 * plan.lattice_cell_variance_m2_per_rad(system, cascade, &wave);
+                        push_system_values(&mut out.term_vectors, system, norms, variance, wave.omega);
                     }
                     out.waves.push(wave);
                 }
-                out.values.resize(out.waves.len() * vectors_per_entry, [0.0; 4]);
+                out.term_vectors.resize(out.waves.len() * vectors_per_entry, [0.0; 4]);
             }
         }
         out
@@ -118,16 +118,19 @@ impl Table {
             return 0.0;
         }
         let k = [f64::from(ix), f64::from(iz)];
-        let value = |first_vector: usize| self.values[entry * self.vectors_per_entry + first_vector];
-        let term = |term: &Term| {
+        let value = |first_vector: usize| self.term_vectors[entry * self.vectors_per_entry + first_vector];
+        let term = |term: &DirectionalTerm| {
             let [variance, p, q, r] = value(term.first_vector);
             match term.kind {
-                TermKind::Lobe(cosine) => {
-                    variance * Lobe { beta: p, s: q, cosine }.shape(angle_from_travel(term.travel, k)) + r
+                DirectionalTermKind::Lobe(cosine) => {
+                    variance
+                        * Lobe { sech_rate_per_rad: p, cosine_exponent: q, cosine_factor: cosine }
+                            .unnormalised_density(angle_from_travel(term.travel, k))
+                        + r
                 }
-                TermKind::Measured => {
+                DirectionalTermKind::Measured => {
                     let phi2 = [r, value(term.first_vector + 1)[0]];
-                    MaximumEntropy { normalisation: variance, phi1: [p, q].into(), phi2: phi2.into() }
+                    MaximumEntropyDistribution { normalisation: variance, phi1: [p, q].into(), phi2: phi2.into() }
                         .density(k[1].atan2(k[0]))
                 }
             }
@@ -136,23 +139,28 @@ impl Table {
     }
 }
 
-/// Appends what a table entry stores for one wave system, in the layout of [`TermKind`], to `out`. The waves of the
-/// entry have the angular frequency `omega` (rad/s). `variance` (m^2) is that of the real part of the amplitude at time
-/// 0, before multiplication by the directional spreading (1/rad).
-fn push_system_values(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norms, variance: f64, omega: f64) {
-    match system.directions(omega) {
-        Directions::Measured(mem) => {
+/// Appends what a table entry stores for one wave system, in the layout of [`DirectionalTermKind`], to `out`. The waves
+/// of the entry have the angular frequency `omega` (rad/s). `variance` (m^2) is that of the real part of the amplitude
+/// at time 0, before multiplication by the directional spreading (1/rad).
+fn push_system_values(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &LobeNorms, variance: f64, omega: f64) {
+    match system.directional_distribution(omega) {
+        DirectionalDistribution::Measured(mem) => {
             out.push([variance * mem.normalisation, mem.phi1[0], mem.phi1[1], mem.phi2[0]]);
             out.push([mem.phi2[1], 0.0, 0.0, 0.0]);
         }
-        Directions::Lobes(at) => {
-            let even = variance * at.isotropic / (2.0 * PI);
+        DirectionalDistribution::Lobes(at) => {
+            let even = variance * at.isotropic_fraction / (2.0 * PI);
             if at.lobes.is_empty() {
                 out.push([0.0, 0.0, 0.0, even]);
             }
             for (i, (share, lobe)) in at.lobes.iter().enumerate() {
                 let even = if i == 0 { even } else { 0.0 };
-                out.push([variance * share * norms.at(i, omega, lobe), lobe.beta, lobe.s, even]);
+                out.push([
+                    variance * share * norms.lobe_norm_at(i, omega, lobe),
+                    lobe.sech_rate_per_rad,
+                    lobe.cosine_exponent,
+                    even,
+                ]);
             }
         }
     }
@@ -160,23 +168,23 @@ fn push_system_values(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &Norm
 
 /// Normalising factors of the lobes of a wave system's directional spreading. Those without a closed form are
 /// interpolated in ln(omega), because quadrature for every table entry would be too slow while the user moves a slider.
-struct Norms {
+struct LobeNorms {
     steps: u32,
     /// For each lobe its interpolation tables, one for each interval of frequency in which the norm is smooth; `None`
     /// for a lobe whose norm has a closed form.
-    lobes: Vec<Option<Vec<NormTable>>>,
+    lobes: Vec<Option<Vec<LobeNormTable>>>,
 }
 
 /// Table for interpolating a lobe's norm, the factor that makes its integral over all directions 1, in one interval of
-/// frequency: ln(norm) at `NODES` + 1 equidistant values of ln(omega).
-struct NormTable {
+/// frequency: ln(norm) at `LOG_OMEGA_INTERVALS` + 1 equidistant values of ln(omega).
+struct LobeNormTable {
     ln_low: f64,
     step: f64,
     ln_norm: Vec<f64>,
 }
 
-impl Norms {
-    const NODES: usize = 200;
+impl LobeNorms {
+    const LOG_OMEGA_INTERVALS: usize = 200;
 
     fn new(system: &WaveSystem) -> Self {
         let (low, high) = system.spectrum.frequency_range();
@@ -192,26 +200,26 @@ impl Norms {
             .map(|i| {
                 let piece = |w: &[f64]| {
                     let (ln_low, ln_high) = (w[0].ln(), (w[1] * (1.0 - 1e-12)).ln());
-                    let step = (ln_high - ln_low) / Self::NODES as f64;
+                    let step = (ln_high - ln_low) / Self::LOG_OMEGA_INTERVALS as f64;
                     let node = |j| {
                         let omega = (ln_low + step * j as f64).exp().max(w[0]);
-                        spreading.lobes(omega).lobes[i].1.norm(steps).ln()
+                        spreading.lobes(omega).lobes[i].1.normalising_factor(steps).ln()
                     };
-                    NormTable { ln_low, step, ln_norm: (0..=Self::NODES).map(node).collect() }
+                    LobeNormTable { ln_low, step, ln_norm: (0..=Self::LOG_OMEGA_INTERVALS).map(node).collect() }
                 };
-                probe[i].1.closed_norm().is_none().then(|| knots.windows(2).map(piece).collect())
+                probe[i].1.closed_form_normalising_factor().is_none().then(|| knots.windows(2).map(piece).collect())
             })
             .collect();
         Self { steps, lobes }
     }
 
-    fn at(&self, lobe_index: usize, omega: f64, lobe: &Lobe) -> f64 {
-        let Some(pieces) = &self.lobes[lobe_index] else { return lobe.norm(self.steps) };
+    fn lobe_norm_at(&self, lobe_index: usize, omega: f64, lobe: &Lobe) -> f64 {
+        let Some(pieces) = &self.lobes[lobe_index] else { return lobe.normalising_factor(self.steps) };
         let ln = omega.ln();
         let piece = pieces.iter().rev().find(|p| ln >= p.ln_low).unwrap_or(&pieces[0]);
         // Cubic interpolation between the four nearest nodes of the piece.
-        let x = ((ln - piece.ln_low) / piece.step).clamp(0.0, Self::NODES as f64);
-        let first = (x as usize).clamp(1, Self::NODES - 2) - 1;
+        let x = ((ln - piece.ln_low) / piece.step).clamp(0.0, Self::LOG_OMEGA_INTERVALS as f64);
+        let first = (x as usize).clamp(1, Self::LOG_OMEGA_INTERVALS - 2) - 1;
         let f = x - first as f64;
         let weights = [
             -(f - 1.0) * (f - 2.0) * (f - 3.0) / 6.0,
@@ -238,15 +246,16 @@ mod tests {
         ] {
             let plan = Plan::new(&query::parse(&format!("{state}&n=64")).0);
             for cascade in &plan.cascades {
-                let table = Table::new(&plan, cascade);
+                let table = SpectrumTable::new(&plan, cascade);
                 for (ix, iz) in [(12, 0), (9, 9), (-3, 14), (20, -11), (-25, -17)] {
-                    let wave = plan.wave(cascade, (ix * ix + iz * iz) as u32);
+                    let wave = plan.wave_at_squared_index(cascade, (ix * ix + iz * iz) as u32);
                     if !cascade.contains_wave_number(wave.k) {
                         continue;
                     }
                     let k = [f64::from(ix), f64::from(iz)];
                     let system = |s: &WaveSystem| {
-                        0.25 * plan.cell_variance_per_radian(s, cascade, &wave) * s.direction_density(wave.omega, k)
+                        0.25 * plan.lattice_cell_variance_m2_per_rad(s, cascade, &wave)
+                            * s.direction_density(wave.omega, k)
                     };
                     let want: f64 = plan.systems.iter().map(system).sum();
                     let got = table.variance(ix, iz);

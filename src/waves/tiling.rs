@@ -25,15 +25,15 @@ use super::noise::pcg4d;
 
 /// Barycentric coordinate of a point for a vertex of its triangle at and below which the patch copy of this vertex has
 /// the weight 0 at the point.
-const MIN_BARYCENTRIC: f64 = 0.25;
+const MIN_WEIGHTED_BARYCENTRIC: f64 = 0.25;
 /// Mean number of copies of one cascade's patch that are blended at a point of the plane.
-pub const MEAN_COPIES: f64 = 1.69;
+pub const MEAN_BLENDED_COPIES: f64 = 1.69;
 /// Number of possible shifts of a patch copy along each axis: a shift is a multiple of 1/64 of the patch's side.
-const SHIFTS_PER_PATCH: f64 = 64.0;
+const SHIFT_STEPS_PER_PATCH_SIDE: f64 = 64.0;
 /// Hash input that makes the random shifts of the copies of a patch independent of the random numbers of the waves.
-const HASH_SALT: u32 = 0x7469_6c65;
+const TILE_SHIFT_HASH_SALT: u32 = 0x7469_6c65;
 /// Rotation of a patch's triangle lattice per unit of its noise key, rad: the golden angle, so that no lattices align.
-const LATTICE_ROTATION_PER_KEY: f64 = 2.399_963_229_728_653;
+const LATTICE_ROTATION_PER_NOISE_KEY_RAD: f64 = 2.399_963_229_728_653;
 /// 1 / sqrt(3), for the geometry of equilateral triangles.
 const INV_SQRT_3: f64 = 0.577_350_269_189_625_8;
 
@@ -43,9 +43,9 @@ pub struct Tiling {
     /// Side of the square patch, m.
     pub patch_m: f64,
     /// Cosine and sine of the triangle lattice's rotation, divided by the side of the triangles, 1/m.
-    pub scaled_rotation: [f64; 2],
+    pub rotation_cos_sin_per_m: [f64; 2],
     /// Key of the hash that gives the random shift of each copy.
-    pub hash_key: u32,
+    pub shift_hash_key: u32,
     /// Whether shifted copies are blended; if false, the patch simply repeats.
     pub blends_copies: bool,
 }
@@ -53,11 +53,11 @@ pub struct Tiling {
 /// Position of a point in the triangle lattice of a [`Tiling`]. A shader starts from it to find the shifted copies of
 /// the patch that are blended near that point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LatticePosition {
+pub struct TriangleLatticePosition {
     /// Tiling to which the position belongs.
     pub tiling: Tiling,
     /// Fractional parts (0 to 1) of the point's coordinates in the triangle lattice, whose unit is a triangle's side.
-    pub fraction: [f64; 2],
+    pub cell_fraction: [f64; 2],
     /// Integer parts of the point's two coordinates in the triangle lattice (its lattice cell), wrapped to 32 bits.
     pub cell: [i32; 2],
 }
@@ -68,22 +68,22 @@ pub struct PatchCopy {
     /// Weight W of the copy in the blend, 0 to 1. The squares of the three weights at a point add to 1.
     pub weight: f64,
     /// Gradient (dW/dx, dW/dz) of the copy's weight W, 1/m.
-    pub gradient: [f64; 2],
+    pub weight_gradient_per_m: [f64; 2],
     /// Integer coordinates, in the triangle lattice, of the vertex to which the copy belongs.
-    pub cell: [i32; 2],
+    pub lattice_vertex: [i32; 2],
     /// Shift (x, z) added to a position before the patch is read there, as a fraction of the patch's side, 0 to 1.
-    pub shift: [f64; 2],
+    pub shift_in_patches: [f64; 2],
 }
 
 impl Tiling {
     /// Makes the tiling of a patch with the side `patch_m` (m). The random shifts of its copies depend on the cascade's
     /// noise key `key` and on the `seed` of the sea. If `blends_copies` is false, the patch repeats.
     pub fn new(patch_m: f64, key: u32, seed: u32, blends_copies: bool) -> Self {
-        let (sin, cos) = (LATTICE_ROTATION_PER_KEY * f64::from(key)).sin_cos();
+        let (sin, cos) = (LATTICE_ROTATION_PER_NOISE_KEY_RAD * f64::from(key)).sin_cos();
         Self {
             patch_m,
-            scaled_rotation: [cos / patch_m, sin / patch_m],
-            hash_key: pcg4d([key, seed, HASH_SALT, 0])[0],
+            rotation_cos_sin_per_m: [cos / patch_m, sin / patch_m],
+            shift_hash_key: pcg4d([key, seed, TILE_SHIFT_HASH_SALT, 0])[0],
             blends_copies,
         }
     }
@@ -92,17 +92,20 @@ impl Tiling {
     /// water adds such smaller copies as ripples, waves too short for the cascades.
     #[must_use]
     pub fn with_smaller_patch(&self, ratio: f64) -> Self {
-        Self { blends_copies: self.blends_copies, ..Self::new(self.patch_m / ratio, self.hash_key, HASH_SALT, true) }
+        Self {
+            blends_copies: self.blends_copies,
+            ..Self::new(self.patch_m / ratio, self.shift_hash_key, TILE_SHIFT_HASH_SALT, true)
+        }
     }
 
     /// Position in the triangle lattice of the point `at` (x, z), m, a point before displacement by the waves.
-    pub fn lattice_position(&self, at: [f64; 2]) -> LatticePosition {
-        let [u, v] = self.axes();
+    pub fn lattice_position(&self, at: [f64; 2]) -> TriangleLatticePosition {
+        let [u, v] = self.lattice_coordinate_gradients_per_m();
         let q = [u, v].map(|axis| axis[0] * at[0] + axis[1] * at[1]);
         let whole = q.map(f64::floor);
-        LatticePosition {
+        TriangleLatticePosition {
             tiling: *self,
-            fraction: [q[0] - whole[0], q[1] - whole[1]],
+            cell_fraction: [q[0] - whole[0], q[1] - whole[1]],
             // The cast through 64 bits wraps; a direct cast would saturate.
             cell: whole.map(|w| w as i64 as i32),
         }
@@ -110,37 +113,39 @@ impl Tiling {
 
     /// The three shifted copies of the patch that are blended at the point `at` (x, z), m, a point before displacement
     /// by the waves. A copy can have the weight 0.
-    pub fn blend(&self, at: [f64; 2]) -> [PatchCopy; 3] {
-        let mut out = [[0, 0], [1, 0], [0, 1]].map(|cell| PatchCopy { cell, ..PatchCopy::default() });
+    pub fn patch_copies_at(&self, at: [f64; 2]) -> [PatchCopy; 3] {
+        let mut out = [[0, 0], [1, 0], [0, 1]].map(|cell| PatchCopy { lattice_vertex: cell, ..PatchCopy::default() });
         if !self.blends_copies {
             out[0].weight = 1.0;
             return out;
         }
-        let LatticePosition { fraction, cell, .. } = self.lattice_position(at);
-        let [u, v] = self.axes();
+        let TriangleLatticePosition { cell_fraction: fraction, cell, .. } = self.lattice_position(at);
+        let [u, v] = self.lattice_coordinate_gradients_per_m();
         // A cell has two triangles. Coordinates in the upper triangle are measured from the cell's last vertex.
         let upper = fraction[0] + fraction[1] > 1.0;
         let (sign, [fu, fv]) = if upper { (-1.0, fraction.map(|f| 1.0 - f)) } else { (1.0, fraction) };
         let b = [1.0 - fu - fv, fu, fv];
         let slopes = [[-u[0] - v[0], -u[1] - v[1]], u, v].map(|s| s.map(|s| sign * s));
-        let raw = b.map(|b| (b - MIN_BARYCENTRIC).max(0.0));
+        let raw = b.map(|b| (b - MIN_WEIGHTED_BARYCENTRIC).max(0.0));
         let norm = 1.0 / raw.iter().map(|r| r.powi(4)).sum::<f64>().sqrt();
         // Sum of w dw divided by the sum of w^2: relative change of the norm along each axis.
         let pull = [0, 1].map(|axis| (0..3).map(|i| 2.0 * raw[i].powi(3) * slopes[i][axis]).sum::<f64>() * norm * norm);
         for (i, copy) in out.iter_mut().enumerate() {
-            let corner = copy.cell;
+            let corner = copy.lattice_vertex;
             copy.weight = raw[i] * raw[i] * norm;
-            copy.gradient = [0, 1].map(|axis| 2.0 * raw[i] * slopes[i][axis] * norm - copy.weight * pull[axis]);
-            copy.cell = [0, 1].map(|axis| cell[axis].wrapping_add(if upper { 1 - corner[axis] } else { corner[axis] }));
-            let hash = pcg4d([copy.cell[0] as u32, copy.cell[1] as u32, self.hash_key, 0]);
-            copy.shift = [0, 1].map(|axis| f64::from(hash[axis] >> 26) / SHIFTS_PER_PATCH);
+            copy.weight_gradient_per_m =
+                [0, 1].map(|axis| 2.0 * raw[i] * slopes[i][axis] * norm - copy.weight * pull[axis]);
+            copy.lattice_vertex =
+                [0, 1].map(|axis| cell[axis].wrapping_add(if upper { 1 - corner[axis] } else { corner[axis] }));
+            let hash = pcg4d([copy.lattice_vertex[0] as u32, copy.lattice_vertex[1] as u32, self.shift_hash_key, 0]);
+            copy.shift_in_patches = [0, 1].map(|axis| f64::from(hash[axis] >> 26) / SHIFT_STEPS_PER_PATCH_SIDE);
         }
         out
     }
 
     /// Gradients (d/dx, d/dz), 1/m, of a point's first and second coordinate in the triangle lattice.
-    fn axes(&self) -> [[f64; 2]; 2] {
-        let [cos, sin] = self.scaled_rotation;
+    fn lattice_coordinate_gradients_per_m(&self) -> [[f64; 2]; 2] {
+        let [cos, sin] = self.rotation_cos_sin_per_m;
         [[cos + INV_SQRT_3 * sin, sin - INV_SQRT_3 * cos], [-2.0 * INV_SQRT_3 * sin, 2.0 * INV_SQRT_3 * cos]]
     }
 }
@@ -165,12 +170,12 @@ mod tests {
     fn variance_is_kept_with_few_copies() {
         let mut copies = 0;
         for at in points(20_000) {
-            let blend = tiling().blend(at);
+            let blend = tiling().patch_copies_at(at);
             let square: f64 = blend.iter().map(|c| c.weight * c.weight).sum();
             assert!((square - 1.0).abs() < 1e-12);
             copies += blend.iter().filter(|c| c.weight > 0.0).count();
         }
-        assert!((f64::from(copies as u32) / 20_000.0 - MEAN_COPIES).abs() < 0.02, "{copies}");
+        assert!((f64::from(copies as u32) / 20_000.0 - MEAN_BLENDED_COPIES).abs() < 0.02, "{copies}");
     }
 
     #[test]
@@ -178,20 +183,22 @@ mod tests {
         let h = 1e-4;
         let mut square = 0.0;
         for at in points(5000) {
-            let blend = tiling().blend(at);
+            let blend = tiling().patch_copies_at(at);
             for axis in 0..2 {
                 let beside = |step: f64| {
                     let mut at = at;
                     at[axis] += step;
-                    tiling().blend(at)
+                    tiling().patch_copies_at(at)
                 };
                 let [before, after] = [beside(-h), beside(h)];
                 for copy in &blend {
                     // The copy of the same vertex, whichever triangle the neighbour lies in.
-                    let of = |b: &[PatchCopy; 3]| b.iter().find(|c| c.cell == copy.cell).map_or(0.0, |c| c.weight);
+                    let of = |b: &[PatchCopy; 3]| {
+                        b.iter().find(|c| c.lattice_vertex == copy.lattice_vertex).map_or(0.0, |c| c.weight)
+                    };
                     let slope = (of(&after) - of(&before)) / (2.0 * h);
-                    assert!((slope - copy.gradient[axis]).abs() < 2e-4, "{at:?}: {slope} {copy:?}");
-                    square += copy.gradient[axis].powi(2);
+                    assert!((slope - copy.weight_gradient_per_m[axis]).abs() < 2e-4, "{at:?}: {slope} {copy:?}");
+                    square += copy.weight_gradient_per_m[axis].powi(2);
                 }
             }
         }
@@ -205,9 +212,10 @@ mod tests {
             let sum: f64 = points(20_000)
                 .map(|at| {
                     let there = [at[0] + distance * angle.cos(), at[1] + distance * angle.sin()];
-                    let [a, b] = [at, there].map(|p| tiling().blend(p));
-                    let shared =
-                        |c: &PatchCopy| b.iter().find(|d| d.cell == c.cell).map_or(0.0, |d| d.weight * c.weight);
+                    let [a, b] = [at, there].map(|p| tiling().patch_copies_at(p));
+                    let shared = |c: &PatchCopy| {
+                        b.iter().find(|d| d.lattice_vertex == c.lattice_vertex).map_or(0.0, |d| d.weight * c.weight)
+                    };
                     a.iter().map(shared).sum::<f64>()
                 })
                 .sum();
@@ -225,32 +233,39 @@ mod tests {
         let mut mean = [0.0; 2];
         let mut seen = std::collections::BTreeSet::new();
         for at in points(4000) {
-            for copy in tiling().blend(at).iter().filter(|c| c.weight > 0.0) {
-                assert!(copy.shift.iter().all(|s| (0.0..1.0).contains(s) && (s * SHIFTS_PER_PATCH).fract() == 0.0));
-                if seen.insert(copy.cell) {
-                    mean = [mean[0] + copy.shift[0], mean[1] + copy.shift[1]];
+            for copy in tiling().patch_copies_at(at).iter().filter(|c| c.weight > 0.0) {
+                assert!(
+                    copy.shift_in_patches
+                        .iter()
+                        .all(|s| (0.0..1.0).contains(s) && (s * SHIFT_STEPS_PER_PATCH_SIDE).fract() == 0.0)
+                );
+                if seen.insert(copy.lattice_vertex) {
+                    mean = [mean[0] + copy.shift_in_patches[0], mean[1] + copy.shift_in_patches[1]];
                 }
             }
         }
         let count = seen.len() as f64;
         assert!(
-            count > 3000.0 && mean.iter().all(|m| (m / count - 0.5 + 0.5 / SHIFTS_PER_PATCH).abs() < 0.02),
+            count > 3000.0 && mean.iter().all(|m| (m / count - 0.5 + 0.5 / SHIFT_STEPS_PER_PATCH_SIDE).abs() < 0.02),
             "{mean:?} {count}"
         );
         let other = Tiling::new(100.0, 70, 2, true);
-        let same = points(4000).filter(|&at| tiling().blend(at) == other.blend(at)).count();
+        let same = points(4000).filter(|&at| tiling().patch_copies_at(at) == other.patch_copies_at(at)).count();
         assert!(same < 10, "another seed, other shifts: {same}");
-        assert_ne!(tiling().with_smaller_patch(13.1).hash_key, tiling().hash_key);
+        assert_ne!(tiling().with_smaller_patch(13.1).shift_hash_key, tiling().shift_hash_key);
     }
 
     #[test]
     fn far_away_and_off() {
         for at in [[1e300, -1e300], [f64::MAX, 0.0], [1e9, 3.0]] {
             assert!(
-                tiling().blend(at).iter().all(|c| c.weight.is_finite() && c.gradient.iter().all(|g| g.is_finite()))
+                tiling()
+                    .patch_copies_at(at)
+                    .iter()
+                    .all(|c| c.weight.is_finite() && c.weight_gradient_per_m.iter().all(|g| g.is_finite()))
             );
         }
-        let off = Tiling::new(100.0, 70, 1, false).blend([123.0, 4.0]);
-        assert_eq!((off[0].weight, off[0].shift, off[1].weight), (1.0, [0.0; 2], 0.0));
+        let off = Tiling::new(100.0, 70, 1, false).patch_copies_at([123.0, 4.0]);
+        assert_eq!((off[0].weight, off[0].shift_in_patches, off[1].weight), (1.0, [0.0; 2], 0.0));
     }
 }

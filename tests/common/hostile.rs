@@ -58,7 +58,7 @@ pub fn buoy(bytes: &[u8]) {
         is_canonical(&params);
         let plan = Plan::new(&params);
         assert!((1..=4).contains(&plan.cascades.len()));
-        assert!(plan.hs_m().is_finite() && plan.captured_fraction().is_finite() && plan.k_max().is_finite());
+        assert!(plan.hs_m().is_finite() && plan.resolved_variance_fraction().is_finite() && plan.k_max().is_finite());
     }
 }
 

@@ -17,7 +17,7 @@ pub use seas::OwnSeas;
 /// Width of the window, points, below which the panel is a collapsible sheet at the bottom of the window.
 const NARROW_WINDOW_POINTS: f32 = 640.0;
 /// Shorter side of the window, points, below which the panel is not shown, because its margins would leave no room.
-const MIN_PANEL_POINTS: f32 = 100.0;
+const MIN_WINDOW_SIDE_FOR_PANEL_POINTS: f32 = 100.0;
 /// Least height of a widget on a touch screen, points.
 const TOUCH_TARGET_POINTS: f32 = 44.0;
 
@@ -40,7 +40,7 @@ pub struct Panel {
 /// Shows the panel over the sea: as a floating window, or in a narrow window as a sheet at the bottom.
 pub fn show_panel(app: &mut App, ctx: &egui::Context) {
     let screen = ctx.content_rect();
-    if screen.width().min(screen.height()) < MIN_PANEL_POINTS {
+    if screen.width().min(screen.height()) < MIN_WINDOW_SIDE_FOR_PANEL_POINTS {
         return;
     }
     if screen.width() < NARROW_WINDOW_POINTS {
@@ -99,7 +99,7 @@ fn enlarge_for_touch(ui: &mut egui::Ui) {
 
 /// One line about the sea, such as `Hs 2.4 m, Beaufort 5`: significant wave height and Beaufort number.
 pub fn sea_summary(app: &App) -> String {
-    let hs = app.length_scale().format(app.derived.theory.hs_m, 1);
+    let hs = app.length_scale().format(app.derived.theoretical_statistics.hs_m, 1);
     format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.first_system().wind_m_s))
 }
 
@@ -214,7 +214,7 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
             |ui| {
                 rows::show_group(&mut app.params, group, &words, ui);
                 match group {
-                    Group::Sky if !searching => sky_file(&mut app.params, ui),
+                    Group::Sky if !searching => show_sky_file(&mut app.params, ui),
                     Group::Water if !searching => seas::show_seed_row(app, ui),
                     _ => {}
                 }
@@ -227,7 +227,7 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
 }
 
 /// Shows the name of the sky image file, and a button that returns to the computed sky.
-fn sky_file(params: &mut Params, ui: &mut egui::Ui) {
+fn show_sky_file(params: &mut Params, ui: &mut egui::Ui) {
     let Some(file) = &params.look.sky.file else {
         ui.weak("Drop a .hdr or .exr file for another sky.");
         return;
@@ -264,7 +264,7 @@ fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
         }
     });
     let mut lifted = None;
-    for (i, float) in app.params.floats.iter().enumerate() {
+    for (i, float) in app.params.floating_objects.iter().enumerate() {
         ui.horizontal(|ui| {
             let height = app.derived.strongest_waves().sample(float.x_m, float.z_m, app.params.clock.t_s).height_m;
             let metres = app.length_scale();
@@ -277,9 +277,9 @@ fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
         });
     }
     if let Some(i) = lifted {
-        app.params.floats.remove(i);
+        app.params.floating_objects.remove(i);
     }
-    if app.params.floats.is_empty() {
+    if app.params.floating_objects.is_empty() {
         ui.weak("Or press B over the water. The first floating object keeps a record of the height: see the plots.");
     }
 }

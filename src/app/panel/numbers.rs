@@ -4,7 +4,7 @@ use super::super::App;
 
 /// Shows the main statistics of the sea by theory: significant wave height, periods, wavelength, direction and spread.
 pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
-    let t = &app.derived.theory;
+    let t = &app.derived.theoretical_statistics;
     let length_scale = app.length_scale();
     // These rows contain no widgets to tap, so they need no height for fingers.
     let tall = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
@@ -35,7 +35,7 @@ pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
 /// Shows a table of statistics in three columns: by theory, of the waves on the FFT grids, and as measured on the GPU.
 pub fn show_all_statistics(app: &App, ui: &mut egui::Ui) {
     app.visible_readouts.map_statistics.set(true);
-    let (t, r) = (&app.derived.theory, app.derived.lattice_statistics());
+    let (t, r) = (&app.derived.theoretical_statistics, app.derived.lattice_statistics());
     let length_scale = app.length_scale();
     egui::Grid::new("more numbers").num_columns(4).striped(true).show(ui, |ui| {
         let mut row = |label: &str, values: [String; 3], help: &str| {
@@ -74,10 +74,10 @@ pub fn show_all_statistics(app: &App, ui: &mut egui::Ui) {
         row("Benjamin-Feir", [format!("{:.2}", t.benjamin_feir), none(), none()], help);
         let help = "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam \
                     that is computed around the camera, however much of it is shown.";
-        row("Whitecaps", [percent(t.whitecap_fraction), none(), known(m.coverage(), &percent)], help);
+        row("Whitecaps", [percent(t.whitecap_fraction), none(), known(m.foam_coverage(), &percent)], help);
         row("Energy held", [none(), percent(r.m0_fraction), none()], "Share of the variance on the grid.");
     });
-    let readings = app.sea_measurement.readings();
+    let readings = app.sea_measurement.reading_count();
     if readings > 0 {
         let moments = if readings == 1 { "one moment".to_owned() } else { format!("{readings} moments") };
         ui.weak(format!("Measured: mean of {moments}."));
@@ -88,7 +88,7 @@ pub fn show_all_statistics(app: &App, ui: &mut egui::Ui) {
 pub fn show_frame_times(app: &App, ui: &mut egui::Ui) {
     app.visible_readouts.pass_times.set(true);
     ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.frame_measurements.recording_time_ms()));
-    match app.frame_measurements.passes() {
+    match app.frame_measurements.pass_times_ms() {
         None => {
             ui.weak("This GPU does not tell how long its passes take: it has no timestamps.");
         }
@@ -129,5 +129,5 @@ pub fn show_system_information(app: &mut App, ui: &mut egui::Ui) {
             longest
         ));
     }
-    ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.captured_fraction().min(1.0)));
+    ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.resolved_variance_fraction().min(1.0)));
 }

@@ -61,7 +61,7 @@ fn value_editor(field: &'static Field, value: &mut f64, units: Units, ui: &mut e
         FieldKind::Integer { min, max } if max > 1000 => {
             ui.add(egui::DragValue::new(value).range(f64::from(min)..=f64::from(max)).max_decimals(0))
         }
-        FieldKind::Integer { min, max } => ui.add(with_zero_word(
+        FieldKind::Integer { min, max } => ui.add(with_unit_and_zero_word(
             field,
             egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer(),
             1.0,
@@ -104,7 +104,7 @@ fn number_editor(
     let before = shown;
     let slider =
         egui::Slider::new(&mut shown, min * scale.factor..=max * scale.factor).logarithmic(log).smart_aim(true);
-    let response = ui.add(with_zero_word(field, slider, scale.factor, units));
+    let response = ui.add(with_unit_and_zero_word(field, slider, scale.factor, units));
     if shown != before {
         // More digits would only make the link longer.
         let digits = if scale.factor == 1.0 { shown } else { round_to_significant_digits(shown / scale.factor) };
@@ -133,7 +133,12 @@ fn colour_editor(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Res
 
 /// Makes a slider show the field's unit after the number, and the field's word for 0, such as "off", in place of 0.
 /// Both can also be typed. `factor` is the shown value divided by the metric value.
-fn with_zero_word<'a>(field: &'static Field, slider: egui::Slider<'a>, factor: f64, units: Units) -> egui::Slider<'a> {
+fn with_unit_and_zero_word<'a>(
+    field: &'static Field,
+    slider: egui::Slider<'a>,
+    factor: f64,
+    units: Units,
+) -> egui::Slider<'a> {
     let scale = UnitScale::for_field(field, units);
     let unit = scale.suffix();
     // On a linear slider with a wide range small values could not be set.

@@ -72,13 +72,13 @@ pub fn show_wind_slider(app: &mut App, ui: &mut egui::Ui) {
     let force = &BEAUFORT_FORCES[now];
     let metres = app.length_scale();
     let speed = UnitScale::for_unit("m/s", app.params.screen.units);
-    let (code, word) = beaufort::sea_state(app.derived.theory.hs_m);
+    let (code, word) = beaufort::sea_state(app.derived.theoretical_statistics.hs_m);
     ui.label(format!("{} {}: {}", force.name, speed.format(wind_m_s, 1), force.appearance))
         .on_hover_text("Beaufort scale, WMO");
     ui.weak(format!(
         "Textbook height {}, this sea {}; sea state {code}, {word} (Douglas)",
         metres.format(force.probable_hs_m, 1),
-        metres.format(app.derived.theory.hs_m, 1),
+        metres.format(app.derived.theoretical_statistics.hs_m, 1),
     ));
 }
 

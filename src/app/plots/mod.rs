@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 pub use spectrum::highest_omega;
 
 /// The six colours of the lines and bars in the panel's plots, distinct for colour-blind readers.
-const COLOURS: [Color32; 6] = [
+const PLOT_COLOURS: [Color32; 6] = [
     Color32::from_rgb(86, 180, 233),
     Color32::from_rgb(230, 159, 0),
     Color32::from_rgb(0, 158, 115),
@@ -61,7 +61,7 @@ pub fn show_all_plots(app: &mut App, ui: &mut egui::Ui) {
     });
     show_plot_section(ui, "Directions", false, &mut table_to_save, |ui| polar::show_direction_plot(app, ui));
     show_plot_section(ui, "Sea at a buoy", false, &mut table_to_save, |ui| {
-        app.visible_readouts.buoy_record.set(true);
+        app.visible_readouts.height_record.set(true);
         series::show_height_record_plot(app, ui)
     });
     show_plot_section(ui, "Cut through the sea", false, &mut table_to_save, |ui| profile::show_profile_plot(app, ui));

@@ -8,7 +8,7 @@ use egui::{Color32, Mesh, Stroke, vec2};
 const DIRECTION_COUNT: usize = 72;
 const FREQUENCY_COUNT: usize = 28;
 /// Height of the area of the polar plot, points; the plot is a circle in its middle.
-const PLOT_SIDE_POINTS: f32 = 240.0;
+const POLAR_PLOT_HEIGHT_POINTS: f32 = 240.0;
 
 /// Directional spectrum, sampled for the polar plot on rings; each ring has one frequency.
 pub struct DirectionalSpectrumSamples {
@@ -54,9 +54,10 @@ fn density_colour(x: f64) -> Color32 {
 pub fn show_direction_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let wheel = app.derived.directional_spectrum();
     ui.weak("Where the waves come from, north up; long waves inside, short ones outside");
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), PLOT_SIDE_POINTS), egui::Sense::hover());
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), POLAR_PLOT_HEIGHT_POINTS), egui::Sense::hover());
     let centre = rect.center();
-    let radius = 0.5 * PLOT_SIDE_POINTS - 16.0;
+    let radius = 0.5 * POLAR_PLOT_HEIGHT_POINTS - 16.0;
     let at = |from: f32, r: f32| centre + r * vec2(from.sin(), -from.cos());
     let most = wheel.density.iter().copied().fold(1e-12, f64::max);
     let mut mesh = Mesh::default();

@@ -1,7 +1,7 @@
 //! Plot of a buoy's record: the height of the sea at one point over time.
 
 use super::super::App;
-use super::{COLOURS, PlotTable, fixed_plot};
+use super::{PLOT_COLOURS, PlotTable, fixed_plot};
 use egui_plot::{Line, PlotPoints};
 
 /// Length of time before the current moment that the plot of the height record shows, s.
@@ -11,7 +11,7 @@ impl App {
     /// Name and position (m east and south) of the place where the height is recorded: the first floating object, or
     /// below the camera.
     fn record_label_and_position(&self) -> (&'static str, [f64; 2]) {
-        match self.params.floats.first() {
+        match self.params.floating_objects.first() {
             Some(float) => ("the first floating object", [float.x_m, float.z_m]),
             None => ("the point below the camera", [self.params.camera.x_m, self.params.camera.z_m]),
         }
@@ -20,7 +20,7 @@ impl App {
     /// Extends the record of heights at [`Self::record_label_and_position`] to the current time, while there is a
     /// floating object or the plot is visible.
     pub(in crate::app) fn extend_height_record(&mut self) {
-        let wanted = self.visible_readouts.buoy_record.take() || !self.params.floats.is_empty();
+        let wanted = self.visible_readouts.height_record.take() || !self.params.floating_objects.is_empty();
         if !wanted || self.params.clock.paused && self.record.is_current(self.params.clock.t_s) {
             return;
         }
@@ -41,14 +41,14 @@ pub fn show_height_record_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let visible: Vec<[f64; 2]> =
         record.samples().iter().filter(|s| s[0] >= from).map(|s| [s[0], s[1] * length_scale.factor]).collect();
     ui.weak(format!("Height at {} over time, s; {}", app.record_label_and_position().0, length_scale.unit));
-    let half = (0.8 * app.derived.theory.hs_m * length_scale.factor).max(0.05);
+    let half = (0.8 * app.derived.theoretical_statistics.hs_m * length_scale.factor).max(0.05);
     let plot = fixed_plot("series").include_x(from).include_x(until).include_y(-half).include_y(half);
-    plot.show(ui, |plot| plot.line(Line::new("height", PlotPoints::from(visible)).color(COLOURS[0])));
+    plot.show(ui, |plot| plot.line(Line::new("height", PlotPoints::from(visible)).color(PLOT_COLOURS[0])));
     let length = record.length_s();
     let hs = record.hs_m().map_or_else(|| "after 30 s".to_owned(), |hs| length_scale.format(hs, 2));
     ui.label(format!(
         "Hs of {length:.0} s of record: {hs}; of the spectrum: {}",
-        length_scale.format(app.derived.theory.hs_m, 2)
+        length_scale.format(app.derived.theoretical_statistics.hs_m, 2)
     ));
     let rows = record.samples().iter().map(|s| s.to_vec()).collect();
     PlotTable { name: "record.csv", heading: "t (s),height (m)".into(), rows }

@@ -2,11 +2,11 @@
 //! the buoy's record.
 
 use super::super::App;
-use super::{COLOURS, PlotTable, fixed_plot};
+use super::{PLOT_COLOURS, PlotTable, fixed_plot};
 use crate::waves::Plan;
 use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, PlotPoints, VLine};
 
-const CURVE_POINTS: usize = 240;
+const CURVE_INTERVALS: usize = 240;
 
 /// Highest angular frequency of the spectrum plot and of the spectrum measured in the wave maps, rad/s.
 pub fn highest_omega(plan: &Plan) -> f64 {
@@ -20,14 +20,14 @@ pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let plan = &app.derived.plan;
     let (low, peak) = (plan.frequency_range().0, plan.omega_p);
     let end = highest_omega(plan);
-    let omega = |i: usize| low + (end - low) * i as f64 / CURVE_POINTS as f64;
+    let omega = |i: usize| low + (end - low) * i as f64 / CURVE_INTERVALS as f64;
     let curve = |density: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
-        (0..=CURVE_POINTS).map(|i| [omega(i), density(omega(i))]).collect()
+        (0..=CURVE_INTERVALS).map(|i| [omega(i), density(omega(i))]).collect()
     };
     ui.weak("Variance density S(ω), m² s, over ω, rad/s");
     let several = plan.systems.len() > 1;
     let record = app.record.spectrum();
-    let maps = app.sea_measurement.spectrum();
+    let maps = app.sea_measurement.bin_width_and_spectrum();
     let plot =
         fixed_plot("spectrum").legend(Legend::default().background_alpha(0.4)).label_formatter(
             |pointed| match pointed {
@@ -44,15 +44,15 @@ pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
         if let Some((width, density)) = &maps {
             let bar = |i: usize, s: f64| Bar::new((i as f64 + 0.5) * width, s).width(*width);
             let bars = density.iter().enumerate().map(|(i, s)| bar(i, *s)).collect();
-            plot.bar_chart(BarChart::new("measured", bars).color(COLOURS[3].gamma_multiply(0.35)));
+            plot.bar_chart(BarChart::new("measured", bars).color(PLOT_COLOURS[3].gamma_multiply(0.35)));
         }
-        plot.line(Line::new("theory", PlotPoints::from(curve(&|w| plan.density(w)))).color(COLOURS[0]).width(2.0));
-        plot.vline(VLine::new("peak", peak).color(COLOURS[0].gamma_multiply(0.6)).width(1.0));
+        plot.line(Line::new("theory", PlotPoints::from(curve(&|w| plan.density(w)))).color(PLOT_COLOURS[0]).width(2.0));
+        plot.vline(VLine::new("peak", peak).color(PLOT_COLOURS[0].gamma_multiply(0.6)).width(1.0));
         if several {
             for (i, system) in plan.systems.iter().enumerate() {
                 let points = PlotPoints::from(curve(&|w| system.spectrum.density(w)));
                 let style = if i == 0 { LineStyle::dashed_loose() } else { LineStyle::dotted_loose() };
-                plot.line(Line::new(format!("system {}", i + 1), points).color(COLOURS[1 + i]).style(style));
+                plot.line(Line::new(format!("system {}", i + 1), points).color(PLOT_COLOURS[1 + i]).style(style));
             }
         }
         for cascade in plan.cascades.iter().skip(1) {
@@ -65,7 +65,9 @@ pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
         if record.len() > 2 {
             let points: Vec<[f64; 2]> = record.iter().copied().filter(|p| p[0] <= end).collect();
             plot.line(
-                Line::new("buoy's record", PlotPoints::from(points)).color(COLOURS[4]).style(LineStyle::dashed_dense()),
+                Line::new("buoy's record", PlotPoints::from(points))
+                    .color(PLOT_COLOURS[4])
+                    .style(LineStyle::dashed_dense()),
             );
         }
     });
@@ -73,7 +75,7 @@ pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
         let (width, density) = maps.as_ref()?;
         density.get(((omega / width) as usize).min(density.len() - 1)).copied()
     };
-    let rows = (0..=CURVE_POINTS).map(|i| {
+    let rows = (0..=CURVE_INTERVALS).map(|i| {
         let w = omega(i);
         let systems = plan.systems.iter().map(move |s| s.spectrum.density(w));
         [w, plan.density(w)].into_iter().chain(systems).chain(measured(w)).collect()

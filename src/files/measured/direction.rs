@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 /// 1/pi (1/2 + r1 cos(A - alpha1) + r2 cos(2 (A - alpha2))), where A is the direction waves come FROM, degrees
 /// clockwise from true north.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Direction {
+pub struct DirectionalParameters {
     /// Mean direction alpha1 that the waves come from, degrees clockwise from north in [0, 360).
     pub alpha1_deg: f64,
     /// Principal direction alpha2, the axis of the second harmonic of the distribution, degrees clockwise from north in
@@ -18,7 +18,7 @@ pub struct Direction {
     pub r2: f64,
 }
 
-impl Direction {
+impl DirectionalParameters {
     /// Directional parameters of a distribution cos^{2s}(theta/2), theta from its mean direction `from_deg` (degrees
     /// clockwise from north, where waves come from), with the circular spread `spread_deg` = sqrt(2 (1 - r1)), degrees.
     ///
@@ -34,7 +34,7 @@ impl Direction {
     /// Moments [re c1, im c1, re c2, im c2] of the directional distribution D: c_n is the integral of D e^{i n theta},
     /// where theta is the direction that waves travel TO, atan2(z, x) with x east, z south. Waves that come from the
     /// angle A have theta = A + pi/2.
-    pub(super) fn moments(&self) -> [f64; 4] {
+    pub(super) fn directional_moments(&self) -> [f64; 4] {
         let theta1 = self.alpha1_deg.to_radians() + 0.5 * PI;
         let theta2 = 2.0 * self.alpha2_deg.to_radians() + PI;
         [self.r1 * theta1.cos(), self.r1 * theta1.sin(), self.r2 * theta2.cos(), self.r2 * theta2.sin()]
@@ -55,12 +55,13 @@ impl Direction {
 
 /// Returns `directions`, one for each of `bands` (frequency in Hz, variance density), with each None replaced by the
 /// direction of the nearest band that has one. Returns None and adds a notice if under a third of them have one.
-pub(super) fn fill_missing(
+pub(super) fn fill_missing_directions(
     bands: &[(f64, f64)],
-    directions: &[Option<Direction>],
+    directions: &[Option<DirectionalParameters>],
     notices: &mut Vec<String>,
-) -> Option<Vec<Direction>> {
-    let known: Vec<(f64, Direction)> = bands.iter().zip(directions).filter_map(|(b, d)| Some((b.0, (*d)?))).collect();
+) -> Option<Vec<DirectionalParameters>> {
+    let known: Vec<(f64, DirectionalParameters)> =
+        bands.iter().zip(directions).filter_map(|(b, d)| Some((b.0, (*d)?))).collect();
     let (have, all) = (known.len(), bands.len());
     if have == 0 || 3 * have < all {
         notices.push(format!("only {have} of {all} bands have a direction: the spectrum is used without directions"));

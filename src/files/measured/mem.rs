@@ -4,14 +4,14 @@
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
-/// Largest magnitude of the first directional moment c1 and of the coefficient phi2 in [`MaximumEntropy`]; larger ones
-/// are reduced to it, because at 1 the directional distribution has no width.
-const MAX_MAGNITUDE: f64 = 0.995;
+/// Largest magnitude of the first directional moment c1 and of the coefficient phi2 in [`MaximumEntropyDistribution`];
+/// larger ones are reduced to it, because at 1 the directional distribution has no width.
+const MAX_COEFFICIENT_MAGNITUDE: f64 = 0.995;
 
 /// The directional distribution D(theta) of wave energy, per rad, that has the largest (Burg) entropy for given moments
 /// c_n = integral of D e^{i n theta}, n = 1, 2: D = normalisation / |1 - phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MaximumEntropy {
+pub struct MaximumEntropyDistribution {
     /// First autoregressive coefficient (re, im): phi1 in the directional distribution D(theta) = normalisation / |1 -
     /// phi1 e^{-i theta} - phi2 e^{-2 i theta}|^2.
     pub phi1: DVec2,
@@ -21,7 +21,7 @@ pub struct MaximumEntropy {
     pub normalisation: f64,
 }
 
-impl MaximumEntropy {
+impl MaximumEntropyDistribution {
     /// Makes the distribution with moments (re c1, im c1, re c2, im c2), c_n = integral of D(theta) e^{i n theta}.
     ///
     /// The distribution has exactly these moments if |c1| <= 0.995 and |c2 - c1^2| <= 0.995 (1 - |c1|^2). Otherwise c1
@@ -59,10 +59,10 @@ fn conjugate(a: DVec2) -> DVec2 {
     dvec2(a.x, -a.y)
 }
 
-/// Returns a complex number, shortened to the magnitude [`MAX_MAGNITUDE`] if its magnitude is larger.
+/// Returns a complex number, shortened to the magnitude [`MAX_COEFFICIENT_MAGNITUDE`] if its magnitude is larger.
 fn with_limited_magnitude(a: DVec2) -> DVec2 {
     let size = a.x.hypot(a.y);
-    if size > MAX_MAGNITUDE { MAX_MAGNITUDE * (a / size) } else { a }
+    if size > MAX_COEFFICIENT_MAGNITUDE { MAX_COEFFICIENT_MAGNITUDE * (a / size) } else { a }
 }
 
 #[cfg(test)]
@@ -72,7 +72,7 @@ mod tests {
 
     /// Returns [integral, re c1, im c1, re c2, im c2] of a distribution by the periodic trapezium rule, and its
     /// smallest density. With n samples and poles at radius 1 - d the error is e^{-n d}.
-    fn integrals(mem: &MaximumEntropy) -> ([f64; 5], f64) {
+    fn integrals(mem: &MaximumEntropyDistribution) -> ([f64; 5], f64) {
         // Poles of the density: the roots of z^2 - phi1 z - phi2.
         let square = 0.25 * mem.phi1.rotate(mem.phi1) + mem.phi2;
         let root = square.length().sqrt() * DVec2::from_angle(0.5 * square.to_angle());
@@ -100,7 +100,7 @@ mod tests {
             let free = 1.0 - c1.length_squared();
             let gain = if i % 4 == 0 { 0.9 } else { 0.99 * random.unit() };
             let c2 = c1.rotate(c1) + gain * free * DVec2::from_angle(TAU * random.unit());
-            let mem = MaximumEntropy::new([c1.x, c1.y, c2.x, c2.y]);
+            let mem = MaximumEntropyDistribution::new([c1.x, c1.y, c2.x, c2.y]);
             let (got, least) = integrals(&mem);
             assert!(least > 0.0);
             for (g, w) in got.iter().zip([1.0, c1.x, c1.y, c2.x, c2.y]) {
@@ -121,16 +121,16 @@ mod tests {
         for _ in 0..60 {
             let scale = 10f64.powf(4.0 * random.unit() - 1.0);
             let moments: [f64; 4] = std::array::from_fn(|_| scale * (2.0 * random.unit() - 1.0));
-            let (got, least) = integrals(&MaximumEntropy::new(moments));
+            let (got, least) = integrals(&MaximumEntropyDistribution::new(moments));
             assert!(least > 0.0 && (got[0] - 1.0).abs() < 1e-8, "{moments:?}: {got:?}");
         }
         for moments in [[1e308; 4], [-1e308, 1e308, 1e308, -1e308], [1.0, 0.0, 1.0, 0.0], [0.0, 1.0, -1.0, 0.0]] {
-            let mem = MaximumEntropy::new(moments);
+            let mem = MaximumEntropyDistribution::new(moments);
             let densities = (0..100).map(|i| mem.density(0.1 * f64::from(i)));
             assert!(densities.into_iter().all(|d| d > 0.0 && d.is_finite()), "{moments:?}");
         }
-        let isotropic = MaximumEntropy::new([0.0; 4]);
-        assert_eq!(isotropic, MaximumEntropy::new([f64::NAN, 0.0, f64::INFINITY, 0.0]));
+        let isotropic = MaximumEntropyDistribution::new([0.0; 4]);
+        assert_eq!(isotropic, MaximumEntropyDistribution::new([f64::NAN, 0.0, f64::INFINITY, 0.0]));
         assert!((isotropic.density(1.0) - 1.0 / TAU).abs() < 1e-15);
     }
 }

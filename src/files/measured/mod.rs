@@ -1,7 +1,8 @@
 //! Measured wave spectra: reads the spectral files of a wave buoy as a frequency spectrum with directions.
 //!
 //! [`MeasuredSpectrum::read`] reads files, [`MeasuredSpectrum::to_state`] and [`MeasuredSpectrum::from_state`] carry a
-//! spectrum in a link, and [`MaximumEntropy`] turns its directional moments into a directional distribution.
+//! spectrum in a link, and [`MaximumEntropyDistribution`] turns its directional moments into a directional
+//! distribution.
 
 mod direction;
 mod formats;
@@ -12,9 +13,9 @@ mod state;
 mod tests;
 mod text;
 
-pub use direction::Direction;
+pub use direction::DirectionalParameters;
 pub use formats::MAX_FILES;
-pub use mem::MaximumEntropy;
+pub use mem::MaximumEntropyDistribution;
 pub use spectrum::{MAX_BANDS, MIN_BANDS, MeasuredSpectrum, SpectrumFile};
 pub use state::MAX_TEXT_BYTES;
 pub use text::MAX_FILE_BYTES;

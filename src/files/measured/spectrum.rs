@@ -1,6 +1,6 @@
 //! A measured wave spectrum: its variance density, wave height, peak frequency and directional moments.
 
-use super::direction::Direction;
+use super::direction::DirectionalParameters;
 use super::text::display_number;
 use std::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ pub const MIN_BANDS: usize = 3;
 /// Highest frequency that a band of a measured spectrum may have, Hz.
 const MAX_FREQUENCY_HZ: f64 = 2.0;
 /// Every variance density of a measured spectrum must be below this value, m^2/Hz.
-const MAX_DENSITY: f64 = 1e5;
+const MAX_DENSITY_M2_PER_HZ: f64 = 1e5;
 /// Band frequencies (Hz) and variance densities (m^2/Hz) of a smaller magnitude are rounded to 0.
 const MIN_NONZERO_MAGNITUDE: f64 = 1e-9;
 
@@ -20,7 +20,7 @@ const MIN_NONZERO_MAGNITUDE: f64 = 1e-9;
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredSpectrum {
     bands: Vec<(f64, f64)>,
-    directions: Option<Vec<Direction>>,
+    directions: Option<Vec<DirectionalParameters>>,
 }
 
 /// A measured spectrum that was read from files, with its title and messages to the user.
@@ -40,7 +40,7 @@ impl MeasuredSpectrum {
     ///
     /// # Errors
     /// One sentence, if the number of bands is not within [`MIN_BANDS`] to [`MAX_BANDS`] or a value is out of range.
-    pub fn new(bands: &[(f64, f64)], directions: Option<&[Direction]>) -> Result<Self, String> {
+    pub fn new(bands: &[(f64, f64)], directions: Option<&[DirectionalParameters]>) -> Result<Self, String> {
         let n = bands.len();
         if !(MIN_BANDS..=MAX_BANDS).contains(&n) {
             return Err(format!("{n} frequency bands, but {MIN_BANDS} to {MAX_BANDS} are needed"));
@@ -52,7 +52,7 @@ impl MeasuredSpectrum {
         if let Some(d) = directions.filter(|d| d.len() != n) {
             return Err(format!("{} directions for {n} frequency bands", d.len()));
         }
-        let directions = directions.map(|d| d.iter().map(Direction::rounded).collect()).transpose()?;
+        let directions = directions.map(|d| d.iter().map(DirectionalParameters::rounded).collect()).transpose()?;
         if kept.iter().all(|b| b.1 == 0.0) {
             return Err("the variance density is zero in every band: there are no waves".into());
         }
@@ -65,7 +65,7 @@ impl MeasuredSpectrum {
     }
 
     /// Directional parameters of each band in the order of the bands; `None` if the spectrum has no directions.
-    pub fn directions(&self) -> Option<&[Direction]> {
+    pub fn directions(&self) -> Option<&[DirectionalParameters]> {
         self.directions.as_deref()
     }
 
@@ -78,10 +78,10 @@ impl MeasuredSpectrum {
         let s = if f >= last.0 {
             last.1 * (last.0 / f).powi(5)
         } else if f >= first.0 {
-            let (i, t) = self.band_interval(f);
+            let (i, t) = self.band_and_fraction(f);
             self.bands[i].1 + t * (self.bands[i + 1].1 - self.bands[i].1)
         } else {
-            let low = self.zero_density_hz();
+            let low = self.zero_density_frequency_hz();
             first.1 * ((f - low) / (first.0 - low)).max(0.0)
         };
         s / TAU
@@ -90,20 +90,20 @@ impl MeasuredSpectrum {
     /// Angular frequency below the first band at which [`Self::density`] reaches 0, rad/s; at least a thousandth of the
     /// first band's angular frequency, so that the result has a logarithm.
     pub fn lowest_omega(&self) -> f64 {
-        TAU * self.zero_density_hz().max(1e-3 * self.bands[0].0)
+        TAU * self.zero_density_frequency_hz().max(1e-3 * self.bands[0].0)
     }
 
     /// Angular frequencies at which the variance density has a kink, rad/s, ascending: the bands and, if above 0, the
     /// frequency below them at which the density reaches 0.
-    pub fn breakpoints(&self) -> Vec<f64> {
-        let low = (self.zero_density_hz() > 0.0).then(|| self.zero_density_hz());
+    pub fn density_kinks_rad_s(&self) -> Vec<f64> {
+        let low = (self.zero_density_frequency_hz() > 0.0).then(|| self.zero_density_frequency_hz());
         low.into_iter().chain(self.bands.iter().map(|b| b.0)).map(|f| TAU * f).collect()
     }
 
     /// Variance of the surface elevation in the measured bands, m^2: the exact integral of
     /// [`MeasuredSpectrum::density`] over frequency up to the last band.
     pub fn variance_m2(&self) -> f64 {
-        let foot = 0.5 * (self.bands[0].0 - self.zero_density_hz()) * self.bands[0].1;
+        let foot = 0.5 * (self.bands[0].0 - self.zero_density_frequency_hz()) * self.bands[0].1;
         foot + self.bands.windows(2).map(|w| 0.5 * (w[1].0 - w[0].0) * (w[0].1 + w[1].1)).sum::<f64>()
     }
 
@@ -131,22 +131,22 @@ impl MeasuredSpectrum {
     /// Moments [re c1, im c1, re c2, im c2] of the directional distribution D at omega in rad/s: c_n = integral of D
     /// e^{i n theta}, with the direction theta = atan2(z, x) that waves travel TO (x east, z south). They are linear in
     /// frequency between bands, and constant below and above the bands. None without directions.
-    pub fn moments(&self, omega: f64) -> Option<[f64; 4]> {
+    pub fn directional_moments(&self, omega: f64) -> Option<[f64; 4]> {
         let directions = self.directions.as_ref()?;
-        let (i, t) = self.band_interval(omega / TAU);
-        let (a, b) = (directions[i].moments(), directions[i + 1].moments());
+        let (i, t) = self.band_and_fraction(omega / TAU);
+        let (a, b) = (directions[i].directional_moments(), directions[i + 1].directional_moments());
         Some(std::array::from_fn(|n| a[n] + t * (b[n] - a[n])))
     }
 
     /// Frequency below the first band at which the variance density reaches 0, Hz: lower than the first band by the
     /// distance of the first two bands, but at least 0.
-    fn zero_density_hz(&self) -> f64 {
+    fn zero_density_frequency_hz(&self) -> f64 {
         (2.0 * self.bands[0].0 - self.bands[1].0).max(0.0)
     }
 
     /// Returns (i, t): the frequency `f` in Hz lies between the bands i and i + 1, at the fraction t, 0 to 1, of the
     /// way. Below the first band it is (0, 0); from the last band on, t is 1.
-    fn band_interval(&self, f: f64) -> (usize, f64) {
+    fn band_and_fraction(&self, f: f64) -> (usize, f64) {
         let i = self.bands.partition_point(|b| b.0 <= f).clamp(1, self.bands.len() - 1) - 1;
         let (low, high) = (self.bands[i].0, self.bands[i + 1].0);
         (i, ((f - low) / (high - low)).clamp(0.0, 1.0))
@@ -173,14 +173,15 @@ pub(super) fn checked_frequency(f: f64, before: Option<f64>) -> Result<f64, Stri
     }
 }
 
-/// Rounds a variance density, m^2/Hz, to four significant digits; an error unless it is >= 0 and < [`MAX_DENSITY`].
+/// Rounds a variance density, m^2/Hz, to four significant digits; an error unless it is >= 0 and <
+/// [`MAX_DENSITY_M2_PER_HZ`].
 pub(super) fn checked_density(s: f64) -> Result<f64, String> {
     let kept = round_to_four_digits(s);
-    if s >= 0.0 && kept < MAX_DENSITY {
+    if s >= 0.0 && kept < MAX_DENSITY_M2_PER_HZ {
         Ok(kept)
     } else {
         Err(format!(
-            "the variance density {} m^2/Hz must be at least 0 and below {MAX_DENSITY} m^2/Hz",
+            "the variance density {} m^2/Hz must be at least 0 and below {MAX_DENSITY_M2_PER_HZ} m^2/Hz",
             display_number(s)
         ))
     }

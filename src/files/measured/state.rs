@@ -1,7 +1,7 @@
 //! Measured spectra as text for links: bands are separated by `_`, the numbers of a band by `*`. No character needs
 //! percent-encoding.
 
-use super::direction::Direction;
+use super::direction::DirectionalParameters;
 use super::spectrum::{MAX_BANDS, MeasuredSpectrum};
 use super::text::{parse_number, quoted_excerpt};
 
@@ -46,7 +46,7 @@ impl MeasuredSpectrum {
                         return Err(fault("r1 or r2 is not within 0 to 1"));
                     }
                     bands.push((f, s));
-                    directions.push(Direction { alpha1_deg, alpha2_deg, r1, r2 });
+                    directions.push(DirectionalParameters { alpha1_deg, alpha2_deg, r1, r2 });
                 }
                 _ => return Err(fault("it has neither 2 nor 6 numbers")),
             }

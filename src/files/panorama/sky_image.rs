@@ -67,7 +67,7 @@ impl SkyImage {
     pub fn horizontal_irradiance(&self) -> [f64; 3] {
         let mut sum = [0.0; 3];
         for (y, row) in self.pixels.chunks(self.width).enumerate() {
-            let weight = self.row_elevation(y as f64 + 0.5).sin() * self.row_solid_angle(y);
+            let weight = self.row_elevation_rad(y as f64 + 0.5).sin() * self.pixel_solid_angle_sr(y);
             if weight <= 0.0 {
                 break;
             }
@@ -79,20 +79,21 @@ impl SkyImage {
     }
 
     /// Elevation angle above the horizon of a point `y` rows below the top edge of the image, rad.
-    pub fn row_elevation(&self, y: f64) -> f64 {
+    pub fn row_elevation_rad(&self, y: f64) -> f64 {
         PI * (0.5 - y / self.height as f64)
     }
 
     /// Solid angle of a pixel in row `y`, counted from 0 at the zenith, sr.
-    pub fn row_solid_angle(&self, y: usize) -> f64 {
-        (self.row_elevation(y as f64).sin() - self.row_elevation(y as f64 + 1.0).sin()) * TAU / self.width as f64
+    pub fn pixel_solid_angle_sr(&self, y: usize) -> f64 {
+        (self.row_elevation_rad(y as f64).sin() - self.row_elevation_rad(y as f64 + 1.0).sin()) * TAU
+            / self.width as f64
     }
 
     /// Unit vector (east, up, south) towards the point of the image `x` columns and `y` rows from its top left corner,
     /// if its middle column shows the north.
     pub fn pixel_direction(&self, x: f64, y: f64) -> [f64; 3] {
         let (sin_a, cos_a) = (TAU * (x / self.width as f64 - 0.5)).sin_cos();
-        let (sin_e, cos_e) = self.row_elevation(y).sin_cos();
+        let (sin_e, cos_e) = self.row_elevation_rad(y).sin_cos();
         [sin_a * cos_e, sin_e, -cos_a * cos_e]
     }
 }

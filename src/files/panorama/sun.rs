@@ -4,20 +4,21 @@ use super::sky_image::{SkyImage, luminance};
 use std::f64::consts::PI;
 
 /// Angular radius around the brightest search cell (block of pixels) within which the sun is looked for, rad.
-const SEARCH_RADIUS: f64 = 6.0 * PI / 180.0;
-/// Inner radius, rad, of the ring that gives the colour of the sky around the sun; the outer one is [`SEARCH_RADIUS`].
-const SKY_RING_INNER_RADIUS: f64 = 4.0 * PI / 180.0;
+const SUN_SEARCH_RADIUS_RAD: f64 = 6.0 * PI / 180.0;
+/// Inner radius, rad, of the ring that gives the colour of the sky around the sun; the outer one is
+/// [`SUN_SEARCH_RADIUS_RAD`].
+const SKY_RING_INNER_RADIUS_RAD: f64 = 4.0 * PI / 180.0;
 /// A bright spot can be the sun only if the luminance of its brightest pixel is at least this multiple of that of the
 /// sky around it.
 const MIN_SUN_CONTRAST: f64 = 15.0;
 /// Largest angular radius of a bright spot that is taken as the sun, rad. Bloom enlarges the sun in some files.
-const MAX_SUN_RADIUS: f64 = 3.0 * PI / 180.0;
+const MAX_SUN_RADIUS_RAD: f64 = 3.0 * PI / 180.0;
 /// Smallest ratio of the sun's light (luminance x solid angle) to that of the whole sky, sun included; a bright spot
 /// with less is a lamp or a reflection.
 const MIN_SUN_LIGHT_RATIO: f64 = 0.02;
 /// Largest number of search cells (blocks of pixels) across 360 degrees of azimuth. The sun is looked for around the
 /// brightest cell, not the brightest pixel, because single pixels can be faulty.
-const SEARCH_CELLS: usize = 512;
+const SUN_SEARCH_CELLS_PER_TURN: usize = 512;
 
 /// Direction, size and irradiance of the sun that was found in an image of the sky.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,9 +37,9 @@ pub struct Sun {
 /// Finds the sun in the image and sets its pixels to the colour of the sky around it. If no sun is found, returns None
 /// and leaves the image as it is.
 pub(super) fn extract_sun(image: &mut SkyImage) -> Option<Sun> {
-    let near = pixels_within(SEARCH_RADIUS, brightest_direction(image)?, image);
+    let near = pixels_within_angle(SUN_SEARCH_RADIUS_RAD, brightest_direction(image)?, image);
     // The median pixel of the ring stands for the sky behind the sun, despite clouds and glare.
-    let mut ring: Vec<&NearPixel> = near.iter().filter(|p| p.angle > SKY_RING_INNER_RADIUS).collect();
+    let mut ring: Vec<&NearPixel> = near.iter().filter(|p| p.angle > SKY_RING_INNER_RADIUS_RAD).collect();
     ring.sort_by(|a, b| a.luminance.total_cmp(&b.luminance));
     let behind = ring.get(ring.len() / 2)?;
     let sky = image.pixels[behind.index];
@@ -49,7 +50,7 @@ pub(super) fn extract_sun(image: &mut SkyImage) -> Option<Sun> {
     // Glare much brighter than the sky behind it, and not negligible beside the sun's peak, belongs to the sun.
     let cut = (4.0 * behind.luminance).max(3e-3 * peak);
     let sun_pixels: Vec<&NearPixel> =
-        near.iter().filter(|p| p.angle < SKY_RING_INNER_RADIUS && p.luminance > cut).collect();
+        near.iter().filter(|p| p.angle < SKY_RING_INNER_RADIUS_RAD && p.luminance > cut).collect();
     let (mut irradiance, mut at, mut solid_angle) = ([0.0; 3], [0.0; 3], 0.0);
     for p in &sun_pixels {
         let colour = image.pixels[p.index];
@@ -64,9 +65,9 @@ pub(super) fn extract_sun(image: &mut SkyImage) -> Option<Sun> {
     let radius_rad = (solid_angle / PI).sqrt();
     let rows = image.pixels.chunks(image.width).take(image.height / 2).enumerate();
     let light =
-        |(y, row): (usize, &[[f32; 3]])| image.row_solid_angle(y) * row.iter().map(|p| luminance(*p)).sum::<f64>();
+        |(y, row): (usize, &[[f32; 3]])| image.pixel_solid_angle_sr(y) * row.iter().map(|p| luminance(*p)).sum::<f64>();
     let sky_light: f64 = rows.map(light).sum();
-    if luminance(irradiance) < MIN_SUN_LIGHT_RATIO * sky_light || radius_rad > MAX_SUN_RADIUS {
+    if luminance(irradiance) < MIN_SUN_LIGHT_RATIO * sky_light || radius_rad > MAX_SUN_RADIUS_RAD {
         return None;
     }
     for p in &sun_pixels {
@@ -84,7 +85,7 @@ pub(super) fn extract_sun(image: &mut SkyImage) -> Option<Sun> {
 /// luminance; None if the sky is black.
 fn brightest_direction(image: &SkyImage) -> Option<[f64; 3]> {
     let SkyImage { width, height, ref pixels } = *image;
-    let side = width.div_ceil(SEARCH_CELLS);
+    let side = width.div_ceil(SUN_SEARCH_CELLS_PER_TURN);
     let mut best = (0.0, [0, 0]);
     for y in (0..height / 2).step_by(side) {
         for x in (0..width).step_by(side) {
@@ -112,7 +113,7 @@ struct NearPixel {
 }
 
 /// Pixels above the horizon within the angle `reach` (rad) of the direction `middle`.
-fn pixels_within(reach: f64, middle: [f64; 3], image: &SkyImage) -> Vec<NearPixel> {
+fn pixels_within_angle(reach: f64, middle: [f64; 3], image: &SkyImage) -> Vec<NearPixel> {
     let least = reach.cos();
     let mut out = Vec::new();
     for y in 0..image.height / 2 {
@@ -125,7 +126,7 @@ fn pixels_within(reach: f64, middle: [f64; 3], image: &SkyImage) -> Vec<NearPixe
             let cosine = direction[0] * middle[0] + direction[1] * middle[1] + direction[2] * middle[2];
             if cosine >= least {
                 let (index, angle) = (y * image.width + x, cosine.min(1.0).acos());
-                let (luminance, solid_angle) = (luminance(image.pixels[index]), image.row_solid_angle(y));
+                let (luminance, solid_angle) = (luminance(image.pixels[index]), image.pixel_solid_angle_sr(y));
                 out.push(NearPixel { index, luminance, angle, solid_angle, direction });
             }
         }

@@ -22,7 +22,7 @@ fn sky(width: usize, azimuth: f64, elevation_deg: f64, radius: f64, irradiance: 
             inside += usize::from(cosine > radius.cos());
         }
         let share = inside as f64 / (POINTS * POINTS) as f64;
-        let up = image.row_elevation(y as f64 + 0.5).sin();
+        let up = image.row_elevation_rad(y as f64 + 0.5).sin();
         let air = if up > 0.0 { [0.5 + 0.6 * (1.0 - up), 0.7 + 0.4 * (1.0 - up), 1.0] } else { [0.05, 0.08, 0.1] };
         std::array::from_fn(|i| (air[i] + share * radiance * irradiance[i]) as f32)
     };

@@ -10,12 +10,12 @@ const SVG_UNITS_PER_PIXEL: f64 = 4.0;
 const FIGURE_WIDTH: f64 = 640.0;
 const FIGURE_HEIGHT: f64 = 400.0;
 /// Left, top, right and bottom margins around the plot area of a figure, pixels.
-const MARGINS: [f64; 4] = [74.0, 34.0, 18.0, 50.0];
+const PLOT_MARGINS_PX: [f64; 4] = [74.0, 34.0, 18.0, 50.0];
 const TEXT_COLOUR: RGBColor = RGBColor(34, 40, 49);
 const GRID_COLOUR: RGBColor = RGBColor(225, 229, 234);
 const MINOR_GRID_COLOUR: RGBColor = RGBColor(240, 242, 245);
 /// Colours of the curves, points and bars in figures, distinct for colour-blind readers (Okabe and Ito 2008).
-const COLOURS: [RGBColor; 7] = [
+const SERIES_COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -27,7 +27,7 @@ const COLOURS: [RGBColor; 7] = [
 
 impl FigureSeries {
     fn colour(&self) -> RGBColor {
-        COLOURS[self.colour % COLOURS.len()]
+        SERIES_COLOURS[self.colour % SERIES_COLOURS.len()]
     }
 }
 
@@ -54,7 +54,7 @@ impl Figure {
     }
 
     fn draw(&self, area: &SvgArea<'_>) -> DrawResult {
-        let [left, top, right, bottom] = MARGINS;
+        let [left, top, right, bottom] = PLOT_MARGINS_PX;
         self.draw_axes(area)?;
         for series in &self.series {
             self.draw_series(area, series)?;
@@ -66,12 +66,12 @@ impl Figure {
     }
 
     fn draw_axes(&self, area: &SvgArea<'_>) -> DrawResult {
-        let [left, top, right, bottom] = MARGINS;
+        let [left, top, right, bottom] = PLOT_MARGINS_PX;
         let [x, y] = &self.axes;
         let thin =
             |numbered: bool| ShapeStyle::from(if numbered { GRID_COLOUR } else { MINOR_GRID_COLOUR }).stroke_width(3);
         let [floor, ceiling] = [FIGURE_HEIGHT - bottom, top];
-        for (v, numbered) in x.ticks() {
+        for (v, numbered) in x.grid_lines() {
             let at = self.to_pixel([v, y.low]).0;
             area.draw(&PathElement::new([(at, floor), (at, ceiling)].map(to_svg_point), thin(numbered)))?;
             if numbered {
@@ -85,7 +85,7 @@ impl Figure {
                 )?;
             }
         }
-        for (v, numbered) in y.ticks() {
+        for (v, numbered) in y.grid_lines() {
             let at = self.to_pixel([x.low, v]).1;
             area.draw(&PathElement::new([(left, at), (FIGURE_WIDTH - right, at)].map(to_svg_point), thin(numbered)))?;
             if numbered {
@@ -111,12 +111,12 @@ impl Figure {
         let path = |points: &[[f64; 2]]| points.iter().map(|&p| self.to_pixel(p)).collect::<Vec<_>>();
         match &series.data {
             SeriesData::Line(points) => {
-                for piece in self.visible_runs(points) {
+                for piece in self.pieces_in_plot_area(points) {
                     area.draw(&PathElement::new(path(piece).into_iter().map(to_svg_point).collect::<Vec<_>>(), pen))?;
                 }
             }
             SeriesData::Dashes(points) => {
-                for piece in self.visible_runs(points) {
+                for piece in self.pieces_in_plot_area(points) {
                     for dash in split_into_dashes(&path(piece)) {
                         area.draw(&PathElement::new(dash, pen))?;
                     }
@@ -159,7 +159,7 @@ impl Figure {
         let named: Vec<&FigureSeries> = self.series.iter().filter(|s| !s.label.is_empty()).collect();
         let longest = named.iter().map(|s| s.label.chars().count()).max().unwrap_or(0) as f64;
         let (wide, high) = (46.0 + 6.4 * longest, 8.0 + 17.0 * named.len() as f64);
-        let [left, top, right, bottom] = MARGINS;
+        let [left, top, right, bottom] = PLOT_MARGINS_PX;
         let x = match self.legend {
             LegendCorner::UpperLeft => left + 8.0,
             LegendCorner::UpperRight | LegendCorner::LowerRight => FIGURE_WIDTH - right - 8.0 - wide,
@@ -197,19 +197,23 @@ impl Figure {
     }
 
     fn to_pixel(&self, [x, y]: [f64; 2]) -> (f64, f64) {
-        let [left, top, right, bottom] = MARGINS;
-        let across = left + self.axes[0].position(x) * (FIGURE_WIDTH - left - right);
-        let up = FIGURE_HEIGHT - bottom - self.axes[1].position(y).clamp(-9.0, 9.0) * (FIGURE_HEIGHT - top - bottom);
+        let [left, top, right, bottom] = PLOT_MARGINS_PX;
+        let across = left + self.axes[0].fraction_along(x) * (FIGURE_WIDTH - left - right);
+        let up =
+            FIGURE_HEIGHT - bottom - self.axes[1].fraction_along(y).clamp(-9.0, 9.0) * (FIGURE_HEIGHT - top - bottom);
         (across, up)
     }
 
     fn is_inside(&self, point: [f64; 2]) -> bool {
-        self.axes.iter().zip(point).all(|(axis, v)| v.is_finite() && (-1e-9..=1.0 + 1e-9).contains(&axis.position(v)))
+        self.axes
+            .iter()
+            .zip(point)
+            .all(|(axis, v)| v.is_finite() && (-1e-9..=1.0 + 1e-9).contains(&axis.fraction_along(v)))
     }
 
     /// Splits a curve, given as points (x, y) in the units of the axes, into its pieces inside the plot area. Points
     /// outside are left out.
-    fn visible_runs<'a>(&self, points: &'a [[f64; 2]]) -> Vec<&'a [[f64; 2]]> {
+    fn pieces_in_plot_area<'a>(&self, points: &'a [[f64; 2]]) -> Vec<&'a [[f64; 2]]> {
         points.split(|&p| !self.is_inside(p)).filter(|piece| piece.len() > 1).collect()
     }
 }
@@ -228,8 +232,8 @@ fn to_svg_point((x, y): (f64, f64)) -> (i32, i32) {
 /// Cuts a path (x, y in pixels) into dashes of 6 pixels with gaps of 4 pixels. Returns for each dash its points (x, y)
 /// in SVG user units.
 fn split_into_dashes(path: &[(f64, f64)]) -> Vec<Vec<(i32, i32)>> {
-    const DASH: f64 = 6.0;
-    const PERIOD: f64 = 10.0;
+    const DASH_LENGTH_PX: f64 = 6.0;
+    const DASH_PERIOD_PX: f64 = 10.0;
     let mut out: Vec<Vec<(i32, i32)>> = Vec::new();
     let mut gone = 0.0;
     for pair in path.windows(2) {
@@ -238,9 +242,11 @@ fn split_into_dashes(path: &[(f64, f64)]) -> Vec<Vec<(i32, i32)>> {
         let along = |s: f64| to_svg_point((a.0 + (b.0 - a.0) * s / length, a.1 + (b.1 - a.1) * s / length));
         let mut s = 0.0;
         while s < length {
-            let phase = (gone + s) % PERIOD;
-            let end = if phase < DASH { s + DASH - phase } else { s + PERIOD - phase }.min(length).max(s + 1e-6);
-            if phase < DASH {
+            let phase = (gone + s) % DASH_PERIOD_PX;
+            let end = if phase < DASH_LENGTH_PX { s + DASH_LENGTH_PX - phase } else { s + DASH_PERIOD_PX - phase }
+                .min(length)
+                .max(s + 1e-6);
+            if phase < DASH_LENGTH_PX {
                 if s == 0.0 && phase > 0.0 && !out.is_empty() {
                     out.last_mut().into_iter().for_each(|dash| dash.push(along(end)));
                 } else {

@@ -66,7 +66,7 @@ impl Axis {
     }
 
     /// Position of a value along the axis: 0 at the axis's lower end, 1 at its upper end.
-    pub fn position(&self, value: f64) -> f64 {
+    pub fn fraction_along(&self, value: f64) -> f64 {
         if self.log {
             (value.max(1e-30) / self.low).ln() / (self.high / self.low).ln()
         } else {
@@ -80,8 +80,8 @@ impl Axis {
     }
 
     /// Values at which the axis has grid lines, and whether each grid line carries a number.
-    pub fn ticks(&self) -> Vec<(f64, bool)> {
-        let inside = |v: f64| (-1e-9..=1.0 + 1e-9).contains(&self.position(v));
+    pub fn grid_lines(&self) -> Vec<(f64, bool)> {
+        let inside = |v: f64| (-1e-9..=1.0 + 1e-9).contains(&self.fraction_along(v));
         if self.log {
             let decades = (self.high / self.low).log10();
             let every = (decades / 8.0).ceil().max(1.0) as i32;

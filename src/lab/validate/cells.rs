@@ -21,22 +21,26 @@ pub fn format_estimate(estimate: Option<EstimateWithError>, digits: usize) -> St
 /// Formats the difference of an estimate from the expected value, in per cent of the latter and in standard errors,
 /// such as `+0.50 % (+1.2 σ)`; [`PENDING_CELL`] without an estimate.
 pub fn relative_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
-    difference(estimate, |value| value - expected, |by| format!("{:+.2} %", 100.0 * by / expected))
+    format_deviation(estimate, |value| value - expected, |by| format!("{:+.2} %", 100.0 * by / expected))
 }
 
 /// Formats the difference of an estimate from the expected value, in the estimate's unit and in standard errors;
 /// [`PENDING_CELL`] without an estimate.
 pub fn absolute_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
-    difference(estimate, |value| value - expected, |by| format!("{by:+.4}"))
+    format_deviation(estimate, |value| value - expected, |by| format!("{by:+.4}"))
 }
 
 /// Formats the difference of an estimated angle from the expected one, in degrees and in standard errors;
 /// [`PENDING_CELL`] without an estimate.
 pub fn angle_deviation(estimate: Option<EstimateWithError>, expected: f64) -> String {
-    difference(estimate, |value| (value - expected + 540.0).rem_euclid(360.0) - 180.0, |by| format!("{by:+.2}°"))
+    format_deviation(estimate, |value| (value - expected + 540.0).rem_euclid(360.0) - 180.0, |by| format!("{by:+.2}°"))
 }
 
-fn difference(estimate: Option<EstimateWithError>, by: impl Fn(f64) -> f64, text: impl Fn(f64) -> String) -> String {
+fn format_deviation(
+    estimate: Option<EstimateWithError>,
+    by: impl Fn(f64) -> f64,
+    text: impl Fn(f64) -> String,
+) -> String {
     estimate.map_or(PENDING_CELL.to_owned(), |e| {
         let by = by(e.value);
         let errors =

@@ -1,11 +1,11 @@
 //! Part 5 of the validation page: wave height in water of finite depth.
 
 use super::cells::{format_estimate, format_number, relative_deviation, relative_to_published};
-use super::measurement::{Measurement, theory};
+use super::measurement::{MeasurementSetup, theoretical_statistics};
 use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
-use crate::lab::page::Page;
+use crate::lab::page::MarkdownPage;
 
-const WIND: &str = "wind=20&fetch=300&n=128";
+const WIND_STATE_STRING: &str = "wind=20&fetch=300&n=128";
 const DEPTHS_M: [f64; 10] = [2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 30.0, 50.0, 100.0, 200.0];
 /// The three forms of the TMA spectrum's depth factor: name in part 5 of the validation page, and the part of a state
 /// string that selects the form.
@@ -16,7 +16,7 @@ const TMA_DEPTH_FORMS: [(&str, &str); 3] =
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut MarkdownPage, lab: &MeasurementSetup<'_>) -> Result<(), String> {
     page.heading(2, "5. Depth");
     page.paragraph(
         "TMA is JONSWAP times Kitaigorodskii's depth factor. The program has three forms of it: exact, tanh²(kh) / (1 \
@@ -30,12 +30,12 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     for (i, (name, state)) in TMA_DEPTH_FORMS.into_iter().enumerate() {
         let mut line = Vec::new();
         for [depth, _] in sample_curve(&x, 60, |_| 0.0) {
-            line.push([depth, theory(&format!("{state}&{WIND}&depth={depth}"))?.hs_m]);
+            line.push([depth, theoretical_statistics(&format!("{state}&{WIND_STATE_STRING}&depth={depth}"))?.hs_m]);
         }
         let mark = if name == "branches" { SeriesData::Dashes(line) } else { SeriesData::Line(line) };
         figure = figure.with_series(FigureSeries::new(&format!("tma, {name}"), i, mark));
     }
-    let deep = theory(&format!("spectrum=jonswap&{WIND}"))?.hs_m;
+    let deep = theoretical_statistics(&format!("spectrum=jonswap&{WIND_STATE_STRING}"))?.hs_m;
     figure = figure.with_series(FigureSeries::new(
         "jonswap in deep water",
         3,
@@ -43,10 +43,10 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     ));
     let (mut rows, mut points) = (Vec::new(), Vec::new());
     for depth in DEPTHS_M {
-        let state = |form: usize| format!("{}&{WIND}&depth={depth}", TMA_DEPTH_FORMS[form].1);
+        let state = |form: usize| format!("{}&{WIND_STATE_STRING}&depth={depth}", TMA_DEPTH_FORMS[form].1);
         let sea = lab.measure_sea(&state(0))?;
         let (exact, resolved) = (sea.theory.hs_m, sea.resolved.hs_m);
-        let (branches, bouws) = (theory(&state(1))?.hs_m, theory(&state(2))?.hs_m);
+        let (branches, bouws) = (theoretical_statistics(&state(1))?.hs_m, theoretical_statistics(&state(2))?.hs_m);
         let hs = sea.measured_statistic(|m| m.hs_m);
         points.extend(hs.map(|e| e.x_value_error(depth)));
         rows.push(vec![

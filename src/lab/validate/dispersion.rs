@@ -1,16 +1,16 @@
 //! Part 3 of the validation page: the phase speed of single waves.
 
 use super::cells::{PENDING_CELL, format_number};
-use super::measurement::{Measurement, lattice_waves, parse_params};
-use crate::lab::ensemble::transform_of_heights;
+use super::measurement::{MeasurementSetup, lattice_waves, parse_params};
+use crate::lab::ensemble::fourier_transform_of_heights;
 use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
-use crate::lab::page::Page;
+use crate::lab::page::MarkdownPage;
 use crate::waves::Plan;
 use std::f64::consts::TAU;
 
 /// The seas whose phase speeds are measured: name in the table and label in the figure of part 3, with the state string
 /// between them. No wave runs against the wind, so that each Fourier coefficient of a map belongs to one wave.
-const SEAS: [(&str, &str, &str); 6] = [
+const MEASURED_SEAS: [(&str, &str, &str); 6] = [
     ("deep", "dispersion=deep&wind=12&fetch=300", "deep"),
     ("2 m", "depth=2&wind=12&fetch=300", "2 m of water"),
     ("5 m", "depth=5&wind=12&fetch=300", "5 m of water"),
@@ -22,29 +22,29 @@ const SEAS: [(&str, &str, &str); 6] = [
         "with surface tension",
     ),
 ];
-const COMMON: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
+const COMMON_STATE_STRING: &str = "spread=cos2-positive&dir=270&n=128&seed=1";
 /// Smallest amplitude of a wave whose phase speed is measured, relative to the largest amplitude in its cascade. f32
 /// rounding disturbs weaker waves.
 const MIN_AMPLITUDE_FRACTION: f64 = 5e-3;
 /// Phase advance of a cascade's wave of highest frequency between two read-backs, rad: below 2 pi, so unambiguous.
-const PEAK_PHASE_ADVANCE_RAD: f64 = 2.5;
+const MAX_PHASE_ADVANCE_RAD: f64 = 2.5;
 /// Number of wave-number bins per decade. The figure of phase speeds shows the strongest measured wave of each bin.
-const BINS_PER_DECADE: f64 = 8.0;
+const WAVE_NUMBER_BINS_PER_DECADE: f64 = 8.0;
 
 /// A measured wave: wave number (rad/m), phase speed (m/s), and amplitude relative to the largest in its cascade.
 type MeasuredWave = [f64; 3];
 
 /// Measures the phase speeds of a plan's waves that travel within 60 degrees of downwind. The phase advance of a wave's
 /// Fourier coefficient between two times gives its phase speed. `None` without a GPU.
-fn measured_phase_speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
+fn measured_phase_speeds(lab: &MeasurementSetup<'_>, plan: &Plan) -> Result<Option<Vec<MeasuredWave>>, String> {
     // The clock counts ticks of 2^-32 periods, so it represents multiples of a tick exactly.
-    let tick = plan.period_s / 4_294_967_296.0;
+    let tick = plan.repeat_period_s / 4_294_967_296.0;
     let mut all = Vec::new();
     let n = plan.n as usize;
     for (c, cascade) in plan.cascades.iter().enumerate() {
-        let ticks = (PEAK_PHASE_ADVANCE_RAD / plan.dispersion.omega(cascade.k_high) / tick).floor().max(1.0);
+        let ticks = (MAX_PHASE_ADVANCE_RAD / plan.dispersion.omega(cascade.k_high) / tick).floor().max(1.0);
         let Some(maps) = lab.read_maps(plan, &[0.0, ticks * tick])? else { return Ok(None) };
-        let [before, after] = [0, 1].map(|i| transform_of_heights(n, maps[i].displacement(c)));
+        let [before, after] = [0, 1].map(|i| fourier_transform_of_heights(n, maps[i].displacement(c)));
         let mut found = Vec::new();
         for (ix, iz, k) in lattice_waves(plan, cascade) {
             // Only waves within 60 degrees of the wind count. The wind blows towards +x.
@@ -66,7 +66,7 @@ fn measured_phase_speeds(lab: &Measurement<'_>, plan: &Plan) -> Result<Option<Ve
 /// Picks the strongest wave in each bin of the wave number. Returns points for the figure of phase speeds: wave number
 /// (rad/m), phase speed (m/s) and an error bar of 0.
 fn strongest_per_bin(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
-    let bin = |wave: &MeasuredWave| (wave[0].log10() * BINS_PER_DECADE).floor();
+    let bin = |wave: &MeasuredWave| (wave[0].log10() * WAVE_NUMBER_BINS_PER_DECADE).floor();
     let mut sorted = waves.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let strongest = |bin: &[MeasuredWave]| bin.iter().copied().reduce(|a, b| if b[2] > a[2] { b } else { a });
@@ -77,14 +77,14 @@ fn strongest_per_bin(waves: &[MeasuredWave]) -> Vec<[f64; 3]> {
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut MarkdownPage, lab: &MeasurementSetup<'_>) -> Result<(), String> {
     let x = Axis::log("wave number k, rad/m", 0.01, 6000.0);
     let y = Axis::log("phase speed ω/k, m/s", 0.1, 40.0);
     let mut figure = Figure::new("Phase speed", x.clone(), y, LegendCorner::UpperRight);
     let mut rows = Vec::new();
     let mut points = Vec::new();
-    for (i, (name, state, label)) in SEAS.into_iter().enumerate() {
-        let plan = Plan::new(&parse_params(&format!("{state}&{COMMON}"))?);
+    for (i, (name, state, label)) in MEASURED_SEAS.into_iter().enumerate() {
+        let plan = Plan::new(&parse_params(&format!("{state}&{COMMON_STATE_STRING}"))?);
         let speed = |k: f64| plan.dispersion.omega(k) / k;
         figure = figure.with_series(FigureSeries::new(label, i, SeriesData::Line(sample_curve(&x, 120, speed))));
         let held = plan.resolved_bands();

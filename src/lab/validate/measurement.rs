@@ -9,14 +9,14 @@ use crate::state::{Params, query};
 use crate::waves::Plan;
 use crate::waves::plan::Cascade;
 use crate::waves::statistics::{self, LatticeStatistics, SpectrumStatistics};
-use crate::waves::table::{Table, entry_index};
+use crate::waves::table::{SpectrumTable, entry_index};
 
 /// How the validation page measures its seas: on which GPU, and over how many random seeds.
-pub struct Measurement<'a> {
+pub struct MeasurementSetup<'a> {
     /// The GPU to measure on; with `None` the page gets no measured numbers.
     pub gpu: Option<&'a Gpu>,
     /// Number of random seeds over which each sea is measured.
-    pub seeds: u32,
+    pub seed_count: u32,
 }
 
 /// A sea with its statistics by theory, of the resolved waves (those on the FFT grids), and as measured on the GPU.
@@ -30,7 +30,7 @@ pub struct MeasuredSea {
     /// Statistics measured on the GPU, averaged over the seeds; `None` without a GPU.
     pub measured: Option<MeasuredStatistics>,
     /// Variance of the waves in each bin of frequency or direction; empty if the waves were not sorted into bins.
-    pub bins: Vec<WaveBin>,
+    pub wave_bins: Vec<WaveBin>,
 }
 
 /// Variance and direction of travel of all waves in a bin of frequency or direction.
@@ -38,10 +38,10 @@ pub struct MeasuredSea {
 pub struct WaveBin {
     /// Expected variance of the bin's waves on the FFT grids, m^2; then the sums over these waves of variance times x
     /// and of variance times z, m^2, where (x, z) is the unit vector in which a wave travels.
-    pub expected: [f64; 3],
+    pub expected_moments: [f64; 3],
     /// For each seed, the same three sums with the measured variance of the bin's waves in place of the expected one,
     /// m^2; zeros without a GPU.
-    pub measured: Vec<[f64; 3]>,
+    pub measured_moments_by_seed: Vec<[f64; 3]>,
 }
 
 /// Parses a state string. A notice of the parser, such as one about an unknown key, is an error here.
@@ -57,11 +57,11 @@ pub fn parse_params(state: &str) -> Result<Params, String> {
 ///
 /// # Errors
 /// If the parser gives a notice about the state string.
-pub fn theory(state: &str) -> Result<SpectrumStatistics, String> {
+pub fn theoretical_statistics(state: &str) -> Result<SpectrumStatistics, String> {
     Ok(SpectrumStatistics::new(&Plan::new(&parse_params(state)?)))
 }
 
-impl Measurement<'_> {
+impl MeasurementSetup<'_> {
     /// Statistics of the sea of a state string: by theory, of the waves on the FFT grids, and (with a GPU) as measured.
     ///
     /// # Errors
@@ -85,15 +85,23 @@ impl Measurement<'_> {
         let plan = Plan::new(&params);
         let theory = SpectrumStatistics::new(&plan);
         let resolved = LatticeStatistics::new(&plan, theory.variance_m2);
-        let mut bins = vec![WaveBin { measured: vec![[0.0; 3]; self.seeds as usize], ..WaveBin::default() }; bins];
+        let mut bins =
+            vec![
+                WaveBin { measured_moments_by_seed: vec![[0.0; 3]; self.seed_count as usize], ..WaveBin::default() };
+                bins
+            ];
         let add = |sum: &mut [f64; 3], wave: &TravellingWave| {
-            let parts = [wave.variance, wave.variance * wave.travel[0], wave.variance * wave.travel[1]];
+            let parts = [
+                wave.variance_m2,
+                wave.variance_m2 * wave.travel_direction[0],
+                wave.variance_m2 * wave.travel_direction[1],
+            ];
             sum.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part);
         };
         if !bins.is_empty() {
             visit_expected_waves(&plan, &mut |wave| {
                 if let Some(bin) = bin_of(wave) {
-                    add(&mut bins[bin].expected, wave);
+                    add(&mut bins[bin].expected_moments, wave);
                 }
             });
         }
@@ -103,13 +111,13 @@ impl Measurement<'_> {
                 let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
                 let mut visit = |seed: usize, wave: &TravellingWave| {
                     if let Some(bin) = bin_of(wave) {
-                        add(&mut bins[bin].measured[seed], wave);
+                        add(&mut bins[bin].measured_moments_by_seed[seed], wave);
                     }
                 };
-                Some(pollster::block_on(ensemble::measure(gpu, &mut sim, &params, self.seeds, &mut visit))?)
+                Some(pollster::block_on(ensemble::measure(gpu, &mut sim, &params, self.seed_count, &mut visit))?)
             }
         };
-        Ok(MeasuredSea { plan, theory, resolved, measured, bins })
+        Ok(MeasuredSea { plan, theory, resolved, measured, wave_bins: bins })
     }
 
     /// Measures the mean foam coverage (0 to 1) over all foam levels and over `seeds` seeds; `None` without a GPU.
@@ -151,18 +159,18 @@ impl MeasuredSea {
     /// Measured mean direction that the waves come from, degrees clockwise from north; `None` without a GPU or without
     /// a mean direction.
     pub fn direction_deg(&self) -> Option<EstimateWithError> {
-        self.measured.as_ref().and_then(|m| m.from_deg)
+        self.measured.as_ref().and_then(|m| m.mean_from_deg)
     }
 }
 
 /// Calls `visit` for every wave on the FFT grids of a plan, with its expected variance (m^2): the mean over all seeds.
 pub fn visit_expected_waves(plan: &Plan, visit: &mut dyn FnMut(&TravellingWave)) {
     for cascade in &plan.cascades {
-        let table = Table::new(plan, cascade);
+        let table = SpectrumTable::new(plan, cascade);
         for (ix, iz, k) in lattice_waves(plan, cascade) {
             let unit = [ix, iz].map(|i| f64::from(i) * cascade.dk() / k);
             let omega = table.waves[entry_index(ix, iz)].omega;
-            visit(&TravellingWave { variance: 4.0 * table.variance(ix, iz), k, omega, travel: unit });
+            visit(&TravellingWave { variance_m2: 4.0 * table.variance(ix, iz), k, omega, travel_direction: unit });
         }
     }
 }

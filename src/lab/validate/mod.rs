@@ -12,10 +12,10 @@ mod spectra;
 mod spreading;
 mod surface;
 
-use super::page::Page;
+use super::page::MarkdownPage;
 use crate::gpu::Gpu;
 use crate::state::fields::{self, FieldKind};
-use measurement::Measurement;
+use measurement::MeasurementSetup;
 
 /// Names of the parts of the validation page, in order.
 pub const PAGE_PARTS: [&str; 6] = ["spectra", "spreading", "dispersion", "published", "depth", "surface"];
@@ -25,10 +25,10 @@ pub const PAGE_PARTS: [&str; 6] = ["spectra", "spreading", "dispersion", "publis
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn build(gpu: Option<&Gpu>, seeds: u32, parts: &[&str]) -> Result<Page, String> {
-    let lab = Measurement { gpu, seeds };
-    let mut page = Page::default();
-    introduce(&mut page, &lab);
+pub fn build_validation_page(gpu: Option<&Gpu>, seeds: u32, parts: &[&str]) -> Result<MarkdownPage, String> {
+    let lab = MeasurementSetup { gpu, seed_count: seeds };
+    let mut page = MarkdownPage::default();
+    add_introduction(&mut page, &lab);
     for part in parts {
         match *part {
             "spectra" => spectra::add_part(&mut page, &lab)?,
@@ -46,7 +46,7 @@ pub fn build(gpu: Option<&Gpu>, seeds: u32, parts: &[&str]) -> Result<Page, Stri
     Ok(page)
 }
 
-fn introduce(page: &mut Page, lab: &Measurement<'_>) {
+fn add_introduction(page: &mut MarkdownPage, lab: &MeasurementSetup<'_>) {
     page.heading(1, "Validation");
     page.paragraph(
         "`seastate validate` writes this page and its figures from the program's own output. The seeds are fixed, and \
@@ -62,13 +62,13 @@ fn introduce(page: &mut Page, lab: &Measurement<'_>) {
     if let Some(gpu) = lab.gpu {
         let info = gpu.device.adapter_info();
         let short = info.name.split(" (").next().unwrap_or_default().to_owned();
-        page.paragraph(&format!("Measured over {} seeds on {short} ({}).", lab.seeds, info.backend));
+        page.paragraph(&format!("Measured over {} seeds on {short} ({}).", lab.seed_count, info.backend));
     }
 }
 
 /// The values that the choice parameter `key` (such as `spectrum`) can have in a state string, except `measured`, which
 /// needs a file.
-pub fn choice_words(key: &str) -> Vec<&'static str> {
+pub fn choice_parameter_values(key: &str) -> Vec<&'static str> {
     match fields::find(key).map(|f| f.kind) {
         Some(FieldKind::Choice(words)) => words.iter().copied().filter(|w| *w != "measured").collect(),
         _ => vec![],

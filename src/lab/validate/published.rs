@@ -1,9 +1,9 @@
 //! Part 4 of the validation page: published measurements of growth with fetch and full development; the Beaufort scale.
 
 use super::cells::{format_number, relative_to_published};
-use super::measurement::theory;
+use super::measurement::theoretical_statistics;
 use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
-use crate::lab::page::Page;
+use crate::lab::page::MarkdownPage;
 use std::f64::consts::TAU;
 
 const GRAVITY_M_S2: f64 = 9.81;
@@ -14,7 +14,7 @@ const WIND_RATIO_19M_10M: f64 = 1.026;
 
 /// Beaufort scale by WMO-No. 306 and the Met Office: Beaufort number, middle of its range of wind speeds (m/s),
 /// probable wave height (m) and probable highest wave height (m, NaN if not given).
-const BEAUFORT: [(u32, f64, f64, f64); 10] = [
+const BEAUFORT_WIND_AND_WAVE_HEIGHTS: [(u32, f64, f64, f64); 10] = [
     (3, 4.4, 0.6, 1.0),
     (4, 6.7, 1.0, 1.5),
     (5, 9.35, 2.0, 2.5),
@@ -33,7 +33,7 @@ const SEA_STATE_TOP_HS_M: [f64; 9] = [0.0, 0.1, 0.5, 1.25, 2.5, 4.0, 6.0, 9.0, 1
 /// the dimensionless fetch `x` = g F / U^2 (m0 variance, U wind speed, F fetch).
 fn growth_of_spectrum(spectrum: &str, x: f64) -> Result<[f64; 2], String> {
     let fetch_km = x * WIND_M_S * WIND_M_S / GRAVITY_M_S2 / 1000.0;
-    let t = theory(&format!("spectrum={spectrum}&wind={WIND_M_S}&fetch={fetch_km}&n=64"))?;
+    let t = theoretical_statistics(&format!("spectrum={spectrum}&wind={WIND_M_S}&fetch={fetch_km}&n=64"))?;
     Ok([t.variance_m2 * GRAVITY_M_S2 * GRAVITY_M_S2 / WIND_M_S.powi(4), WIND_M_S / (GRAVITY_M_S2 * t.tp_s)])
 }
 
@@ -54,14 +54,14 @@ fn published_growth_donelan(x: f64) -> [f64; 2] {
 ///
 /// # Errors
 /// If a figure cannot be drawn.
-pub fn add_part(page: &mut Page) -> Result<(), String> {
+pub fn add_part(page: &mut MarkdownPage) -> Result<(), String> {
     page.heading(2, "4. Published measurements");
-    growth(page)?;
-    full_development(page)?;
-    beaufort(page)
+    add_growth_with_fetch(page)?;
+    add_full_development(page)?;
+    add_beaufort_scale(page)
 }
 
-fn growth(page: &mut Page) -> Result<(), String> {
+fn add_growth_with_fetch(page: &mut MarkdownPage) -> Result<(), String> {
     page.heading(3, "Growth with fetch");
     page.paragraph(
         "Dimensionless energy ε = m0 g² / U⁴ and peak frequency ν = f_p U / g over the dimensionless fetch x = g F / \
@@ -126,7 +126,7 @@ fn growth(page: &mut Page) -> Result<(), String> {
     Ok(())
 }
 
-fn full_development(page: &mut Page) -> Result<(), String> {
+fn add_full_development(page: &mut MarkdownPage) -> Result<(), String> {
     page.heading(3, "Full development");
     page.paragraph(
         "Pierson and Moskowitz 1964 give S with α = 8.1·10⁻³ and β = 0.74 for the wind at 19.5 m. Its integral is m0 = \
@@ -134,7 +134,7 @@ fn full_development(page: &mut Page) -> Result<(), String> {
          peak is ω_p = (4β/5)^1/4 g/U19.5 = 0.877 g/U19.5 or f_p = 0.140 g/U19.5, published as 0.14 g/U19.5 (0.13 \
          g/U10 in Hasselmann et al. 1973). With U19.5 = 1.026 U10, these become 0.2203 U10²/g and 0.1361 g/U10.",
     );
-    let t = theory(&format!("spectrum=pm&wind={WIND_M_S}&n=64"))?;
+    let t = theoretical_statistics(&format!("spectrum=pm&wind={WIND_M_S}&n=64"))?;
     let (height, peak) = (t.hs_m * GRAVITY_M_S2 / (WIND_M_S * WIND_M_S), WIND_M_S / (GRAVITY_M_S2 * t.tp_s));
     let entry = |what: &str, published: f64, ours: f64| {
         vec![
@@ -161,7 +161,7 @@ fn sea_state(hs_m: f64) -> usize {
     SEA_STATE_TOP_HS_M.iter().position(|&top| hs_m <= top).unwrap_or(SEA_STATE_TOP_HS_M.len())
 }
 
-fn beaufort(page: &mut Page) -> Result<(), String> {
+fn add_beaufort_scale(page: &mut MarkdownPage) -> Result<(), String> {
     page.heading(3, "Beaufort scale and sea states");
     page.paragraph(
         "The World Meteorological Organization lists probable wave heights in the open sea with the Beaufort scale \
@@ -176,8 +176,8 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
         ("jonswap, fetch 100 km", "spectrum=jonswap&fetch=100", 2),
         ("donelan, fetch 500 km", "spectrum=donelan&fetch=500", 3),
     ];
-    let height = |state: &str, wind: f64| theory(&format!("{state}&wind={wind}&n=64")).map(|t| t.hs_m);
-    let probable = BEAUFORT.iter().filter(|b| b.3.is_finite()).map(|b| [b.1, b.2, b.3]).collect();
+    let height = |state: &str, wind: f64| theoretical_statistics(&format!("{state}&wind={wind}&n=64")).map(|t| t.hs_m);
+    let probable = BEAUFORT_WIND_AND_WAVE_HEIGHTS.iter().filter(|b| b.3.is_finite()).map(|b| [b.1, b.2, b.3]).collect();
     let mut figure = Figure::new("Wave height against wind", x.clone(), y, LegendCorner::UpperLeft)
         .with_series(FigureSeries::new("WMO, probable to highest", 6, SeriesData::Band(probable)));
     for (label, state, colour) in seas {
@@ -187,7 +187,7 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
         }
         figure = figure.with_series(FigureSeries::new(label, colour, SeriesData::Line(line)));
     }
-    let points = BEAUFORT.iter().map(|b| [b.1, b.2, 0.0]).collect();
+    let points = BEAUFORT_WIND_AND_WAVE_HEIGHTS.iter().map(|b| [b.1, b.2, 0.0]).collect();
     figure = figure.with_series(FigureSeries::new("WMO, probable", 6, SeriesData::Points(points)));
     page.figure(
         "beaufort",
@@ -196,7 +196,7 @@ fn beaufort(page: &mut Page) -> Result<(), String> {
          highest (shaded) wave heights of the Beaufort scale in the open sea (WMO-No. 306).",
     )?;
     let mut rows = Vec::new();
-    for (force, wind, probable, _) in BEAUFORT {
+    for (force, wind, probable, _) in BEAUFORT_WIND_AND_WAVE_HEIGHTS {
         let [pm, fetch] = [height(seas[0].1, wind)?, height(seas[1].1, wind)?];
         rows.push(vec![
             force.to_string(),

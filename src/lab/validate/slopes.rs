@@ -1,21 +1,21 @@
 //! Part 4 of the validation page, continued: mean square slope and whitecap coverage against wind.
 
 use super::cells::{format_estimate, format_number, relative_deviation, relative_to_published};
-use super::measurement::{Measurement, parse_params, theory};
+use super::measurement::{MeasurementSetup, parse_params, theoretical_statistics};
 use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
-use crate::lab::page::Page;
+use crate::lab::page::MarkdownPage;
 use crate::waves::Plan;
 use crate::waves::foam::FoamModel;
 use crate::waves::statistics::{cox_munk_mss, monahan_coverage};
 
 /// Wind speeds at which the mean square slope of the spectrum `jonswap` is measured, m/s.
-const JONSWAP_SLOPE_WINDS: [f64; 7] = [2.0, 5.0, 8.0, 10.0, 12.0, 14.0, 20.0];
+const JONSWAP_SLOPE_WINDS_M_S: [f64; 7] = [2.0, 5.0, 8.0, 10.0, 12.0, 14.0, 20.0];
 /// Wind speeds at which slope and foam of the spectra other than `jonswap` are measured, m/s.
 const WINDS_OF_OTHER_SPECTRA: [f64; 2] = [5.0, 10.0];
 /// Wind speeds at which the foam coverage of the spectrum `jonswap` is measured, m/s.
-const FOAM_WINDS: [f64; 7] = [5.0, 7.0, 10.0, 12.0, 15.0, 20.0, 25.0];
+const FOAM_WINDS_M_S: [f64; 7] = [5.0, 7.0, 10.0, 12.0, 15.0, 20.0, 25.0];
 /// Scatter (±) of the mean square slopes, dimensionless, that Cox and Munk measured in 1954.
-const COX_MUNK_SCATTER: f64 = 0.004;
+const COX_MUNK_MSS_SCATTER: f64 = 0.004;
 /// Number of seeds over which foam is measured. It is small, because each seed needs 48 foam steps, each with an
 /// evaluation of the waves.
 const FOAM_SEEDS: u32 = 3;
@@ -24,12 +24,12 @@ const FOAM_SEEDS: u32 = 3;
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
-    slopes(page, lab)?;
-    whitecaps(page, lab)
+pub fn add_part(page: &mut MarkdownPage, lab: &MeasurementSetup<'_>) -> Result<(), String> {
+    add_mean_square_slopes(page, lab)?;
+    add_whitecap_coverage(page, lab)
 }
 
-fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+fn add_mean_square_slopes(page: &mut MarkdownPage, lab: &MeasurementSetup<'_>) -> Result<(), String> {
     page.heading(3, "Mean square slope");
     page.paragraph(
         "Cox and Munk 1954 measured the mean square slope in the sun's glitter for winds of 1 to 14 m/s: 0.003 + \
@@ -37,7 +37,7 @@ fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          from Cox and Munk (the residual, at least 0), so the picture shows the larger of the two. Fetch 250 km, n = \
          256, half of the seeds.",
     );
-    let half = Measurement { gpu: lab.gpu, seeds: lab.seeds.div_ceil(2) };
+    let half = MeasurementSetup { gpu: lab.gpu, seed_count: lab.seed_count.div_ceil(2) };
     let (rows, points) = slope_rows(&half)?;
     let mut figure = slope_figure()?;
     if lab.gpu.is_some() {
@@ -69,7 +69,8 @@ fn slopes(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
 fn slope_figure() -> Result<Figure, String> {
     let x = Axis::linear("wind at 10 m, m/s", 0.0, 25.0);
     let y = Axis::log("mean square slope", 5e-4, 1.0);
-    let edges = |u: f64| [u, (cox_munk_mss(u) - COX_MUNK_SCATTER).max(5e-4), cox_munk_mss(u) + COX_MUNK_SCATTER];
+    let edges =
+        |u: f64| [u, (cox_munk_mss(u) - COX_MUNK_MSS_SCATTER).max(5e-4), cox_munk_mss(u) + COX_MUNK_MSS_SCATTER];
     let band = (0..=25).map(f64::from).map(edges).collect();
     let mut figure = Figure::new("Mean square slope against wind", x.clone(), y, LegendCorner::LowerRight)
         .with_series(FigureSeries::new("Cox and Munk 1954, ± 0.004", 6, SeriesData::Band(band)))
@@ -77,7 +78,7 @@ fn slope_figure() -> Result<Figure, String> {
     for (i, name) in ["jonswap", "pm", "elfouhaily", "karaev", "donelan", "torsethaugen"].into_iter().enumerate() {
         let mut line = Vec::new();
         for [wind, _] in sample_curve(&x, 25, |_| 0.0).into_iter().skip(1) {
-            line.push([wind, theory(&format!("spectrum={name}&wind={wind}&fetch=250&n=256"))?.mss]);
+            line.push([wind, theoretical_statistics(&format!("spectrum={name}&wind={wind}&fetch=250&n=256"))?.mss]);
         }
         figure = figure.with_series(FigureSeries::new(name, i, SeriesData::Line(line)));
     }
@@ -86,10 +87,10 @@ fn slope_figure() -> Result<Figure, String> {
 
 /// Rows of the table of mean square slopes, and points for the figure: wind (m/s), mean square slope measured with the
 /// spectrum `jonswap`, and its standard error.
-fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>), String> {
+fn slope_rows(lab: &MeasurementSetup<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>), String> {
     let (mut rows, mut points) = (Vec::new(), Vec::new());
     for name in ["jonswap", "elfouhaily", "donelan", "torsethaugen"] {
-        for &wind in if name == "jonswap" { &JONSWAP_SLOPE_WINDS[..] } else { &WINDS_OF_OTHER_SPECTRA } {
+        for &wind in if name == "jonswap" { &JONSWAP_SLOPE_WINDS_M_S[..] } else { &WINDS_OF_OTHER_SPECTRA } {
             let sea = lab.measure_sea(&format!("spectrum={name}&wind={wind}&fetch=250&n=256"))?;
             let (cox_munk, resolved) = (cox_munk_mss(wind), sea.resolved.mss);
             let mss = sea.measured_statistic(|m| m.mss);
@@ -114,7 +115,7 @@ fn slope_rows(lab: &Measurement<'_>) -> Result<(Vec<Vec<String>>, Vec<[f64; 3]>)
     Ok((rows, points))
 }
 
-fn whitecaps(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+fn add_whitecap_coverage(page: &mut MarkdownPage, lab: &MeasurementSetup<'_>) -> Result<(), String> {
     page.heading(3, "Whitecaps");
     page.paragraph(
         "Monahan and O'Muircheartaigh 1980: W = 3.84·10⁻⁶ U^3.41. Measured: mean foam over all levels after a cold \
@@ -137,7 +138,7 @@ fn whitecaps(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     let mut rows = Vec::new();
     for (i, name) in ["jonswap", "elfouhaily"].into_iter().enumerate() {
         let mut points = Vec::new();
-        for &wind in if name == "jonswap" { &FOAM_WINDS[..] } else { &WINDS_OF_OTHER_SPECTRA } {
+        for &wind in if name == "jonswap" { &FOAM_WINDS_M_S[..] } else { &WINDS_OF_OTHER_SPECTRA } {
             let state = format!("spectrum={name}&wind={wind}&fetch=250&n=128&t=30");
             let expected = FoamModel::new(&Plan::new(&parse_params(&state)?)).expected_mean_foam;
             let foam = lab.measure_foam_coverage(&state, FOAM_SEEDS)?;

@@ -1,12 +1,12 @@
 //! Part 2 of the validation page: the seven directional spreadings.
 
 use super::cells::{angle_deviation, format_estimate, format_number, relative_deviation};
-use super::choice_words;
-use super::measurement::{MeasuredSea, Measurement, WaveBin};
+use super::choice_parameter_values;
+use super::measurement::{MeasuredSea, MeasurementSetup, WaveBin};
 use crate::lab::ensemble::{TravellingWave, spread_deg};
 use crate::lab::estimate::EstimateWithError;
 use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
-use crate::lab::page::Page;
+use crate::lab::page::MarkdownPage;
 use crate::waves::quadrature::{integrate_adaptive, integrate_panels};
 use crate::waves::{Plan, statistics};
 use std::f64::consts::{PI, TAU};
@@ -28,13 +28,13 @@ fn angle_from_downwind(plan: &Plan, unit: [f64; 2]) -> f64 {
 }
 
 /// Angle from the downwind direction to the middle of a direction bin, rad: bin 0 begins at -pi (upwind).
-fn bin_angle(bin: usize) -> f64 {
+fn direction_bin_angle_rad(bin: usize) -> f64 {
     (bin as f64 + 0.5) / DIRECTION_BINS as f64 * TAU - PI
 }
 
 /// Mean of `f`, a function of the angular frequency (rad/s), over the band of `omega` (1 ±
 /// [`RELATIVE_BAND_HALF_WIDTH`]), weighted by the spectral density of the sea of `plan`.
-fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
+fn frequency_band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ends =
         [(1.0 - RELATIVE_BAND_HALF_WIDTH) * omega, 0.95 * omega, omega, (1.0 + RELATIVE_BAND_HALF_WIDTH) * omega];
     let s = |w: f64| plan.density(w);
@@ -42,18 +42,18 @@ fn band_mean(plan: &Plan, omega: f64, f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Two theoretical values at `ratio` times the peak frequency: the integral of the directional spreading over the
-/// circle (it should be 1), and the first directional moment r1, averaged over a band as in [`band_mean`].
-fn integral_and_r1(plan: &Plan, ratio: f64) -> [f64; 2] {
+/// circle (it should be 1), and the first directional moment r1, averaged over a band as in [`frequency_band_mean`].
+fn spreading_integral_and_r1(plan: &Plan, ratio: f64) -> [f64; 2] {
     let spreading = &plan.systems[0].spreading;
     let omega = ratio * plan.omega_p;
     let knots = [-PI, -0.5 * PI, -0.5, 0.0, 0.5, 0.5 * PI, PI];
     let integral = integrate_adaptive(|theta| spreading.density(omega, theta), &knots, 1e-10);
-    [integral, band_mean(plan, omega, |w| spreading.first_moment(w))]
+    [integral, frequency_band_mean(plan, omega, |w| spreading.first_moment(w))]
 }
 
 /// The figure of one directional spreading, by theory and as measured. The measured variance is divided by that of
 /// `isotropic_sea`, the sea with isotropic spreading.
-fn figure(name: &str, sea: &MeasuredSea, isotropic_sea: &MeasuredSea) -> Figure {
+fn spreading_figure(name: &str, sea: &MeasuredSea, isotropic_sea: &MeasuredSea) -> Figure {
     let x = Axis::linear("angle from the wind's direction, degrees", -180.0, 180.0);
     let spreading = &sea.plan.systems[0].spreading;
     let mut curves = Vec::new();
@@ -61,10 +61,12 @@ fn figure(name: &str, sea: &MeasuredSea, isotropic_sea: &MeasuredSea) -> Figure 
     for (i, ratio_p) in BAND_PEAK_RATIOS.into_iter().enumerate() {
         let omega = ratio_p * sea.plan.omega_p;
         let label = if ratio_p == 1.0 { "at ω_p".to_owned() } else { format!("at {ratio_p} ω_p") };
-        let line = sample_curve(&x, 240, |deg| band_mean(&sea.plan, omega, |w| spreading.density(w, deg.to_radians())));
+        let line = sample_curve(&x, 240, |deg| {
+            frequency_band_mean(&sea.plan, omega, |w| spreading.density(w, deg.to_radians()))
+        });
         curves.push(FigureSeries::new(&label, i, SeriesData::Line(line)));
         if sea.measured.is_some() {
-            points.push(FigureSeries::new("", i, SeriesData::Points(measured_density(sea, isotropic_sea, i))));
+            points.push(FigureSeries::new("", i, SeriesData::Points(measured_spreading_points(sea, isotropic_sea, i))));
         }
     }
     let top = curves.iter().chain(&points).map(FigureSeries::max_y).fold(0.0, f64::max);
@@ -74,13 +76,13 @@ fn figure(name: &str, sea: &MeasuredSea, isotropic_sea: &MeasuredSea) -> Figure 
 
 /// Points of the figure in a frequency band: angle (degrees), measured directional spreading D (1/rad) and its standard
 /// error. D is the variance of a direction bin over that of the same waves in `isotropic_sea`, whose D is 1 / (2 pi).
-fn measured_density(sea: &MeasuredSea, isotropic_sea: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
+fn measured_spreading_points(sea: &MeasuredSea, isotropic_sea: &MeasuredSea, band: usize) -> Vec<[f64; 3]> {
     let point = |i: usize| {
         let at = band * DIRECTION_BINS + i;
-        let variances: Vec<f64> = sea.bins[at].measured.iter().map(|v| v[0]).collect();
+        let variances: Vec<f64> = sea.wave_bins[at].measured_moments_by_seed.iter().map(|v| v[0]).collect();
         EstimateWithError::mean(&variances)
-            .scaled(1.0 / (TAU * isotropic_sea.bins[at].expected[0]))
-            .x_value_error(bin_angle(i).to_degrees())
+            .scaled(1.0 / (TAU * isotropic_sea.wave_bins[at].expected_moments[0]))
+            .x_value_error(direction_bin_angle_rad(i).to_degrees())
     };
     (0..DIRECTION_BINS).map(point).collect()
 }
@@ -89,15 +91,15 @@ fn measured_density(sea: &MeasuredSea, isotropic_sea: &MeasuredSea, band: usize)
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut MarkdownPage, lab: &MeasurementSetup<'_>) -> Result<(), String> {
     let mut seas = Vec::new();
-    for name in choice_words("spread") {
+    for name in choice_parameter_values("spread") {
         let state = format!("spread={name}&{SEA_STATE_STRING}");
         let plan = Plan::new(&super::measurement::parse_params(&state)?);
         let bin = |wave: &TravellingWave| {
             let is_near = |ratio: &f64| (wave.omega / (ratio * plan.omega_p) - 1.0).abs() <= RELATIVE_BAND_HALF_WIDTH;
             let band = BAND_PEAK_RATIOS.iter().position(is_near)?;
-            let place = (angle_from_downwind(&plan, wave.travel) + PI) / TAU * DIRECTION_BINS as f64;
+            let place = (angle_from_downwind(&plan, wave.travel_direction) + PI) / TAU * DIRECTION_BINS as f64;
             Some(band * DIRECTION_BINS + (place as usize).min(DIRECTION_BINS - 1))
         };
         seas.push((name, lab.measure_binned_sea(&state, BAND_PEAK_RATIOS.len() * DIRECTION_BINS, &bin)?));
@@ -110,7 +112,7 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     );
     let isotropic_sea = &seas[0].1;
     let figures: Vec<_> =
-        seas.iter().map(|(name, sea)| (format!("spread-{name}"), figure(name, sea, isotropic_sea))).collect();
+        seas.iter().map(|(name, sea)| (format!("spread-{name}"), spreading_figure(name, sea, isotropic_sea))).collect();
     page.figures(
         &figures,
         "Directional distribution at one, two and four times the peak frequency, averaged over the bands: theory \
@@ -124,7 +126,10 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     );
     let rows: Vec<_> = (seas.iter())
         .flat_map(|(name, sea)| {
-            BAND_PEAK_RATIOS.into_iter().enumerate().map(move |(band, ratio)| row(name, sea, band, ratio))
+            BAND_PEAK_RATIOS
+                .into_iter()
+                .enumerate()
+                .map(move |(band, ratio)| spreading_table_row(name, sea, band, ratio))
         })
         .collect();
     page.table(
@@ -135,19 +140,21 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
     Ok(())
 }
 
-fn row(name: &str, sea: &MeasuredSea, band: usize, ratio: f64) -> Vec<String> {
-    let bins = &sea.bins[band * DIRECTION_BINS..][..DIRECTION_BINS];
+fn spreading_table_row(name: &str, sea: &MeasuredSea, band: usize, ratio: f64) -> Vec<String> {
+    let bins = &sea.wave_bins[band * DIRECTION_BINS..][..DIRECTION_BINS];
     let total = |part: &dyn Fn(&WaveBin) -> [f64; 3]| {
         bins.iter().map(part).fold([0.0; 3], |a, b| std::array::from_fn(|i| a[i] + b[i]))
     };
-    let [integral, r1_theory] = integral_and_r1(&sea.plan, ratio);
-    let [m, x, z] = total(&|b| b.expected);
+    let [integral, r1_theory] = spreading_integral_and_r1(&sea.plan, ratio);
+    let [m, x, z] = total(&|b| b.expected_moments);
     let r1 = x.hypot(z) / m;
     let has_direction = r1 > statistics::MIN_R1_FOR_DIRECTION;
     let resolved_deg = statistics::spread_deg(r1);
     let (mut spread, mut from) = (None, None);
     if sea.measured.is_some() {
-        let seeds: Vec<[f64; 3]> = (0..bins[0].measured.len()).map(|seed| total(&|b| b.measured[seed])).collect();
+        let seeds: Vec<[f64; 3]> = (0..bins[0].measured_moments_by_seed.len())
+            .map(|seed| total(&|b| b.measured_moments_by_seed[seed]))
+            .collect();
         let variance: Vec<f64> = seeds.iter().map(|s| s[0]).collect();
         let [x, z] = sea.plan.downwind;
         // Components of the directional moments along the wind and across it.

@@ -1,17 +1,17 @@
 //! Part 6 of the validation page: the probability distribution of the surface's elevation.
 
 use super::cells::{absolute_deviation, format_estimate, format_number};
-use super::measurement::{Measurement, parse_params, visit_expected_waves};
-use crate::lab::ensemble::{distribution_shape, surface_points};
+use super::measurement::{MeasurementSetup, parse_params, visit_expected_waves};
+use crate::lab::ensemble::{mean_sd_skewness_kurtosis, visit_surface_points};
 use crate::lab::estimate::EstimateWithError;
 use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
-use crate::lab::page::Page;
+use crate::lab::page::MarkdownPage;
 use crate::waves::Plan;
 use std::f64::consts::TAU;
 
 const SEA_STATE_STRING: &str = "wind=15&fetch=300&n=128";
 /// Upper end of the elevation's histogram, which is symmetric about 0, in standard deviations of the elevation.
-const HALF_RANGE_SIGMAS: f64 = 5.0;
+const HISTOGRAM_HALF_RANGE_SIGMAS: f64 = 5.0;
 /// Number of equally wide bins of the elevation's histogram.
 const ELEVATION_BINS: usize = 50;
 
@@ -32,11 +32,11 @@ impl ElevationDistribution {
     fn new(plan: &Plan, chop: f64) -> Self {
         let (mut m0, mut a, mut b, mut c) = (0.0, 0.0, 0.0, 0.0);
         visit_expected_waves(plan, &mut |wave| {
-            let strain = wave.variance * wave.k * plan.dispersion.orbit_axis_ratio(wave.k);
-            m0 += wave.variance;
-            a += strain * wave.travel[0] * wave.travel[0];
-            b += strain * wave.travel[1] * wave.travel[1];
-            c += strain * wave.travel[0] * wave.travel[1];
+            let strain = wave.variance_m2 * wave.k * plan.dispersion.orbit_axis_ratio(wave.k);
+            m0 += wave.variance_m2;
+            a += strain * wave.travel_direction[0] * wave.travel_direction[0];
+            b += strain * wave.travel_direction[1] * wave.travel_direction[1];
+            c += strain * wave.travel_direction[0] * wave.travel_direction[1];
         });
         Self { sigma: m0.sqrt(), skew_term: chop * (a + b) / m0.sqrt(), area_term: chop * chop * (a * b - c * c) / m0 }
     }
@@ -47,8 +47,8 @@ impl ElevationDistribution {
 
     /// Mean and standard deviation (both divided by sigma), skewness and kurtosis (3 for a Gaussian) of an elevation
     /// with this density.
-    fn shape(&self) -> [f64; 4] {
-        distribution_shape([
+    fn mean_sd_skewness_kurtosis(&self) -> [f64; 4] {
+        mean_sd_skewness_kurtosis([
             1.0,
             -self.skew_term,
             1.0 + 2.0 * self.area_term,
@@ -60,18 +60,22 @@ impl ElevationDistribution {
 
 /// Histogram of u, the elevation over its theoretical standard deviation, for one seed: the sum of the weights
 /// (Jacobians) of the points in each bin, and the weighted sums of u^0 to u^4.
-type SeedHistogram = ([f64; ELEVATION_BINS], [f64; 5]);
+type ElevationHistogram = ([f64; ELEVATION_BINS], [f64; 5]);
 
-fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<Vec<SeedHistogram>>, String> {
+fn measure_elevation_histograms(
+    lab: &MeasurementSetup<'_>,
+    state: &str,
+    sigma: f64,
+) -> Result<Option<Vec<ElevationHistogram>>, String> {
     let mut all = Vec::new();
-    for seed in 1..=2 * lab.seeds {
+    for seed in 1..=2 * lab.seed_count {
         let plan = Plan::new(&parse_params(&format!("{state}&seed={seed}"))?);
         let Some(maps) = lab.read_maps(&plan, &[0.0])? else { return Ok(None) };
         let (mut bins, mut sums) = ([0.0; ELEVATION_BINS], [0.0; 5]);
-        surface_points(&plan, &maps[0], &mut |eta, weight| {
+        visit_surface_points(&plan, &maps[0], &mut |eta, weight| {
             let u = eta / sigma;
             sums.iter_mut().zip(0..).for_each(|(sum, power)| *sum += weight * u.powi(power));
-            let place = (u / HALF_RANGE_SIGMAS + 1.0) * 0.5 * ELEVATION_BINS as f64;
+            let place = (u / HISTOGRAM_HALF_RANGE_SIGMAS + 1.0) * 0.5 * ELEVATION_BINS as f64;
             if place >= 0.0 && place < ELEVATION_BINS as f64 {
                 bins[place as usize] += weight;
             }
@@ -83,11 +87,11 @@ fn histograms(lab: &Measurement<'_>, state: &str, sigma: f64) -> Result<Option<V
 
 /// Mean and standard deviation (both divided by the theoretical one), skewness and kurtosis (3 for a Gaussian) of the
 /// measured elevation over all seeds, with jackknife errors.
-fn pooled_shape(all: &[SeedHistogram]) -> [EstimateWithError; 4] {
+fn pooled_mean_sd_skewness_kurtosis(all: &[ElevationHistogram]) -> [EstimateWithError; 4] {
     std::array::from_fn(|q| {
         EstimateWithError::jackknife(all.len(), |left_out| {
             let kept = all.iter().enumerate().filter(|(i, _)| Some(*i) != left_out);
-            distribution_shape(kept.fold([0.0; 5], |sum, (_, s)| std::array::from_fn(|p| sum[p] + s.1[p])))[q]
+            mean_sd_skewness_kurtosis(kept.fold([0.0; 5], |sum, (_, s)| std::array::from_fn(|p| sum[p] + s.1[p])))[q]
         })
     })
 }
@@ -96,7 +100,7 @@ fn pooled_shape(all: &[SeedHistogram]) -> [EstimateWithError; 4] {
 ///
 /// # Errors
 /// If reading back from the GPU fails, or a figure cannot be drawn.
-pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
+pub fn add_part(page: &mut MarkdownPage, lab: &MeasurementSetup<'_>) -> Result<(), String> {
     page.heading(2, "6. The surface");
     page.paragraph(
         "Elevations at random points, wind 15 m/s over 300 km. Without chop the surface is Gaussian. With chop, points \
@@ -105,7 +109,11 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
          This is exact for the linear Lagrangian sea (the choppy wave model of Nouguier et al. 2009). No parameter is \
          fitted.",
     );
-    let x = Axis::linear("elevation over its standard deviation σ without chop", -HALF_RANGE_SIGMAS, HALF_RANGE_SIGMAS);
+    let x = Axis::linear(
+        "elevation over its standard deviation σ without chop",
+        -HISTOGRAM_HALF_RANGE_SIGMAS,
+        HISTOGRAM_HALF_RANGE_SIGMAS,
+    );
     let gauss = ElevationDistribution { sigma: 1.0, skew_term: 0.0, area_term: 0.0 };
     let (mut rows, mut figures) = (Vec::new(), Vec::new());
     for chop in [0.0, 1.0] {
@@ -113,7 +121,7 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
         let theory = ElevationDistribution::new(&Plan::new(&parse_params(&state)?), chop);
         let y = Axis::log("probability density", 1e-5, 1.0);
         let mut figure = Figure::new(&format!("Chop {chop}"), x.clone(), y, LegendCorner::UpperRight);
-        let histograms = histograms(lab, &state, theory.sigma)?;
+        let histograms = measure_elevation_histograms(lab, &state, theory.sigma)?;
         if let Some(all) = &histograms {
             figure =
                 figure.with_series(FigureSeries::new("measured on the GPU", 5, SeriesData::Bars(histogram_bars(all))));
@@ -130,9 +138,9 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
                 SeriesData::Line(sample_curve(&x, 200, |u| theory.density(u))),
             ));
         figures.push((format!("surface-chop{chop}"), figure));
-        let shape = histograms.as_deref().map(pooled_shape);
+        let shape = histograms.as_deref().map(pooled_mean_sd_skewness_kurtosis);
         let names = ["mean, σ", "deviation, σ", "skewness", "kurtosis"];
-        for (q, (name, expected)) in names.into_iter().zip(theory.shape()).enumerate() {
+        for (q, (name, expected)) in names.into_iter().zip(theory.mean_sd_skewness_kurtosis()).enumerate() {
             let estimate = shape.map(|s| s[q]);
             rows.push(vec![
                 format_number(chop, 0),
@@ -160,11 +168,11 @@ pub fn add_part(page: &mut Page, lab: &Measurement<'_>) -> Result<(), String> {
 
 /// Bars of the histogram of elevations over all seeds: lower and upper edge, and probability density, with the
 /// theoretical standard deviation of the elevation as unit.
-fn histogram_bars(all: &[SeedHistogram]) -> Vec<[f64; 3]> {
-    let width = 2.0 * HALF_RANGE_SIGMAS / ELEVATION_BINS as f64;
+fn histogram_bars(all: &[ElevationHistogram]) -> Vec<[f64; 3]> {
+    let width = 2.0 * HISTOGRAM_HALF_RANGE_SIGMAS / ELEVATION_BINS as f64;
     let total: f64 = all.iter().map(|s| s.1[0]).sum();
     let bar = |i: usize| {
-        let low = -HALF_RANGE_SIGMAS + i as f64 * width;
+        let low = -HISTOGRAM_HALF_RANGE_SIGMAS + i as f64 * width;
         [low, low + width, all.iter().map(|s| s.0[i]).sum::<f64>() / (total * width)]
     };
     (0..ELEVATION_BINS).map(bar).filter(|bar| bar[2] > 1e-5).collect()

@@ -27,7 +27,7 @@
 
 use crate::waves::Plan;
 use crate::waves::lattice::period_fraction_u32;
-use waves::{Candidate, PatchWaves, WaveSums, candidates};
+use waves::{CandidateWave, PatchWaves, WaveSums, candidate_waves};
 
 mod search;
 #[cfg(test)]
@@ -92,10 +92,10 @@ pub struct SurfaceSample {
 impl StrongestWaves {
     /// Selects the strongest waves of a planned sea, those of the largest variance, at most `wave_count` of them.
     pub fn new(plan: &Plan, wave_count: usize) -> Self {
-        let mut waves = candidates(plan);
+        let mut waves = candidate_waves(plan);
         let count = wave_count.min(waves.len());
         if count > 0 && count < waves.len() {
-            waves.select_nth_unstable_by(count - 1, Candidate::by_decreasing_variance);
+            waves.select_nth_unstable_by(count - 1, CandidateWave::by_decreasing_variance);
         }
         Self::from_waves(plan, waves, count)
     }
@@ -103,8 +103,8 @@ impl StrongestWaves {
     /// Selects the strongest waves of a planned sea, as few as keep the rms height of the omitted waves at or below
     /// `rms_m` (m). If `rms_m` is 0, negative or NaN, all waves are selected.
     pub fn for_height_error(plan: &Plan, rms_m: f64) -> Self {
-        let mut waves = candidates(plan);
-        waves.sort_unstable_by(Candidate::by_decreasing_variance);
+        let mut waves = candidate_waves(plan);
+        waves.sort_unstable_by(CandidateWave::by_decreasing_variance);
         let allowed_m2 = if rms_m > 0.0 { rms_m * rms_m } else { 0.0 };
         let mut left_out_m2 = 0.0;
         let dropped = waves.iter().rev().take_while(|wave| {
@@ -116,27 +116,31 @@ impl StrongestWaves {
     }
 
     /// Selects the first `count` of `waves`; the others only count in `residual_rms_m` and `residual_slope_rms`.
-    fn from_waves(plan: &Plan, mut waves: Vec<Candidate>, count: usize) -> Self {
+    fn from_waves(plan: &Plan, mut waves: Vec<CandidateWave>, count: usize) -> Self {
         let left_out = waves.split_off(count);
-        waves.sort_unstable_by(Candidate::by_decreasing_variance);
-        let variance = |waves: &[Candidate]| waves.iter().fold(0.0, |sum, w| sum + w.variance());
-        let slope = |w: &Candidate| w.variance() * f64::from(w.squared_index()) * plan.cascades[w.cascade].dk().powi(2);
+        waves.sort_unstable_by(CandidateWave::by_decreasing_variance);
+        let variance = |waves: &[CandidateWave]| waves.iter().fold(0.0, |sum, w| sum + w.variance());
+        let slope = |w: &CandidateWave| {
+            w.variance() * f64::from(w.squared_wave_vector_index()) * plan.cascades[w.cascade_index].dk().powi(2)
+        };
         let patches: Vec<PatchWaves> = (plan.cascades.iter().enumerate())
-            .map(|(i, cascade)| PatchWaves::new(plan, cascade, waves.iter().filter(|w| w.cascade == i)))
-            .filter(|patch| !patch.blocks.is_empty())
+            .map(|(i, cascade)| PatchWaves::new(plan, cascade, waves.iter().filter(|w| w.cascade_index == i)))
+            .filter(|patch| !patch.waves_by_four.is_empty())
             .collect();
         let displacement_m2 = waves.iter().map(|w| {
-            let orbit = plan.wave(&plan.cascades[w.cascade], w.squared_index()).orbit_axis_ratio;
+            let orbit = plan
+                .wave_at_squared_index(&plan.cascades[w.cascade_index], w.squared_wave_vector_index())
+                .orbit_axis_ratio;
             w.variance() * orbit * orbit
         });
-        let sqrt_chop = plan.sea.choppiness().map(|l| l.max(0.0).sqrt());
+        let sqrt_chop = plan.sea.choppiness_xz().map(|l| l.max(0.0).sqrt());
         Self {
             longest_step_m: 2.0 * sqrt_chop[0].max(sqrt_chop[1]) * displacement_m2.sum::<f64>().sqrt(),
             patches,
             wave_count: count,
             sqrt_chop,
             still_water_level_m: plan.sea.still_water_level_m,
-            period_s: plan.period_s,
+            period_s: plan.repeat_period_s,
             kept_m2: variance(&waves),
             left_out_m2: variance(&left_out),
             left_out_mss: left_out.iter().map(slope).fold(0.0, |sum, s| sum + s),
@@ -203,20 +207,23 @@ impl StrongestWaves {
     fn surface_sample(&self, point: [f64; 2], offset: [f64; 2], sums: &WaveSums, converged: bool) -> SurfaceSample {
         let [lx, lz] = self.sqrt_chop.map(|r| r * r);
         let [xx, zz, cross] = sums.strain;
-        let [tile_xx, tile_zz, tile_xz, tile_zx] = sums.tile_strain;
+        let [tile_xx, tile_zz, tile_xz, tile_zx] = sums.blend_weight_strain;
         let [xx, zz, xz, zx] = [xx + tile_xx, zz + tile_zz, cross + tile_xz, cross + tile_zx];
-        let [sx, sz] = [0, 1].map(|axis| sums.slope[axis] + sums.tile_slope[axis]);
+        let [sx, sz] = [0, 1].map(|axis| sums.slope[axis] + sums.blend_weight_slope[axis]);
         // Jacobian and normal by docs/sea.md, "Synthesis".
         let jacobian = (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx;
         let normal = [-(sx * (1.0 + lz * zz) - sz * lz * zx), jacobian, -(sz * (1.0 + lx * xx) - sx * lx * xz)];
         let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
         SurfaceSample {
-            height_m: self.still_water_level_m + sums.eta,
+            height_m: self.still_water_level_m + sums.elevation_m,
             normal: if length > 0.0 { normal.map(|c| c / length) } else { [0.0, 1.0, 0.0] },
-            velocity_m_s: sums.velocity,
+            velocity_m_s: sums.orbital_velocity_m_s,
             undisplaced_xz: [point[0] - offset[0], point[1] - offset[1]],
             // Offset and displacement nearly cancel. Taking their difference first keeps the digits of far points.
-            world_xz: [point[0] + (lx * sums.d[0] - offset[0]), point[1] + (lz * sums.d[1] - offset[1])],
+            world_xz: [
+                point[0] + (lx * sums.displacement_m[0] - offset[0]),
+                point[1] + (lz * sums.displacement_m[1] - offset[1]),
+            ],
             jacobian,
             converged,
         }

@@ -1,23 +1,23 @@
 //! Search for the water particle that the waves have displaced to a given point (inverse of the displacement).
 
 use super::StrongestWaves;
-use super::waves::{Blends, CopySums, WaveSums};
+use super::waves::{PatchCopyBlends, PatchCopySums, WaveSums};
 use crate::state::params::MAX_CASCADES;
 use crate::waves::tiling::PatchCopy;
 
 /// Largest distance, m, between displaced particle and requested point at which the search has converged.
-const TOLERANCE_M: f64 = 1e-8;
+const CONVERGED_DISTANCE_M: f64 = 1e-8;
 /// Largest number of evaluations of the waves in one search for a water particle. At chop 1 it takes three to five.
 const MAX_EVALUATIONS: usize = 64;
 /// Lower limit of the curvatures (second derivatives) of the function that the search for a water particle minimises by
 /// Newton steps. It keeps a step finite at the edge of a folded crest, where the curvature is 0.
-const MIN_CURVATURE: f64 = 1e-3;
+const MIN_HESSIAN_EIGENVALUE: f64 = 1e-3;
 /// Armijo rule: a Newton step of the search is accepted if the minimised function decreases at least by this fraction
 /// of the decrease that the gradient predicts.
-const ARMIJO: f64 = 1e-4;
+const ARMIJO_DECREASE_FRACTION: f64 = 1e-4;
 /// Distance, m, between displaced particle and requested point below which the search also accepts a step that halves
 /// the gradient: so near to the solution, rounding hides the decrease of the minimised function.
-const ROUNDING_LIMIT_M: f64 = 1e-3;
+const ROUNDING_DOMINATED_DISTANCE_M: f64 = 1e-3;
 
 impl StrongestWaves {
     /// Finds the water particle that lies at the world position x = `point` (x, z), m, at `time` (2^32 per period of
@@ -34,8 +34,10 @@ impl StrongestWaves {
     pub(super) fn find_particle_offset(&self, point: [f64; 2], time: u32) -> ([f64; 2], WaveSums, bool) {
         let sqrt_chop = self.sqrt_chop;
         let offset = |e: [f64; 2]| [sqrt_chop[0] * e[0], sqrt_chop[1] * e[1]];
-        let gradient = |e: [f64; 2], at: &WaveSums| [e[0] - sqrt_chop[0] * at.d[0], e[1] - sqrt_chop[1] * at.d[1]];
-        let value = |e: [f64; 2], at: &WaveSums| 0.5 * dot(e, e) + at.potential;
+        let gradient = |e: [f64; 2], at: &WaveSums| {
+            [e[0] - sqrt_chop[0] * at.displacement_m[0], e[1] - sqrt_chop[1] * at.displacement_m[1]]
+        };
+        let value = |e: [f64; 2], at: &WaveSums| 0.5 * dot(e, e) + at.displacement_potential_m2;
         let mut e = [0.0; 2];
         let mut blends = self.patch_copy_blends(point, offset(e));
         let mut at = self.wave_sums_at(point, offset(e), time, &blends);
@@ -44,15 +46,16 @@ impl StrongestWaves {
         let mut scale = 1.0;
         for _ in 1..MAX_EVALUATIONS {
             let error = offset(g);
-            if error[0].hypot(error[1]) <= TOLERANCE_M {
+            if error[0].hypot(error[1]) <= CONVERGED_DISTANCE_M {
                 return (offset(e), at, true);
             }
             let next_e = [e[0] + scale * step[0], e[1] + scale * step[1]];
             let copy_sums = self.copy_sums(point, offset(next_e), time, &blends);
             let (next, _) = copy_sums.blended(&blends);
             let next_g = gradient(next_e, &next);
-            let falls = value(next_e, &next) <= value(e, &at) + ARMIJO * scale * dot(g, step);
-            let closes = error[0].hypot(error[1]) < ROUNDING_LIMIT_M && dot(next_g, next_g) < 0.25 * dot(g, g);
+            let falls = value(next_e, &next) <= value(e, &at) + ARMIJO_DECREASE_FRACTION * scale * dot(g, step);
+            let closes =
+                error[0].hypot(error[1]) < ROUNDING_DOMINATED_DISTANCE_M && dot(next_g, next_g) < 0.25 * dot(g, g);
             if falls || closes {
                 (e, scale) = (next_e, 1.0);
                 blends = self.patch_copy_blends(point, offset(e));
@@ -67,7 +70,7 @@ impl StrongestWaves {
             }
         }
         let error = offset(g);
-        (offset(e), at, error[0].hypot(error[1]) <= TOLERANCE_M)
+        (offset(e), at, error[0].hypot(error[1]) <= CONVERGED_DISTANCE_M)
     }
 
     /// Newton step (x, z), m, of the search for e = offset / `sqrt_chop`, from the gradient `g` of the minimised
@@ -79,7 +82,7 @@ impl StrongestWaves {
         let (a, b, cross) = (1.0 + rx * rx * xx, 1.0 + rz * rz * zz, rx * rz * xz);
         let (mean, half) = (0.5 * (a + b), 0.5 * (a - b));
         let radius = half.hypot(cross);
-        let [high, low] = [mean + radius, mean - radius].map(|c| 1.0 / c.abs().max(MIN_CURVATURE));
+        let [high, low] = [mean + radius, mean - radius].map(|c| 1.0 / c.abs().max(MIN_HESSIAN_EIGENVALUE));
         let (even, odd) = (0.5 * (high + low), if radius > 0.0 { 0.5 * (high - low) / radius } else { 0.0 });
         let step =
             [-(even * g[0] + odd * (half * g[0] + cross * g[1])), -(even * g[1] + odd * (cross * g[0] - half * g[1]))];
@@ -89,36 +92,46 @@ impl StrongestWaves {
 
     /// Copies of each cascade's patch, with weights, that are blended at the undisplaced position `point - offset` (x,
     /// z), m.
-    pub(super) fn patch_copy_blends(&self, point: [f64; 2], offset: [f64; 2]) -> Blends {
-        let mut out = Blends::default();
+    pub(super) fn patch_copy_blends(&self, point: [f64; 2], offset: [f64; 2]) -> PatchCopyBlends {
+        let mut out = PatchCopyBlends::default();
         for (out, patch) in out.iter_mut().zip(&self.patches) {
-            *out = patch.tiling.blend([point[0] - offset[0], point[1] - offset[1]]);
+            *out = patch.tiling.patch_copies_at([point[0] - offset[0], point[1] - offset[1]]);
         }
         out
     }
 
     /// Wave sums at the undisplaced position `point - offset` (x, z), m, with the copies and weights in `blends`, at
     /// `time` (2^32 per period of the sea).
-    pub(super) fn wave_sums_at(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> WaveSums {
+    pub(super) fn wave_sums_at(
+        &self,
+        point: [f64; 2],
+        offset: [f64; 2],
+        time: u32,
+        blends: &PatchCopyBlends,
+    ) -> WaveSums {
         self.copy_sums(point, offset, time, blends).blended(blends).0
     }
 
     /// Wave sums of each patch copy that has a weight above 0 in `blends` or in the blend at the undisplaced position
     /// `point - offset` (x, z), m, evaluated at this position.
-    fn copy_sums(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &Blends) -> CopySums {
+    fn copy_sums(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &PatchCopyBlends) -> PatchCopySums {
         let own = self.patch_copy_blends(point, offset);
         let mut sums = [[None; 3]; MAX_CASCADES];
         for (i, patch) in self.patches.iter().enumerate() {
             // The remainder is exact, so the phases keep their precision far from the origin.
             let at = [0, 1].map(|axis| (point[axis] % patch.side_m - offset[axis]) / patch.side_m);
             for (copy, sums) in blends[i].iter().zip(&mut sums[i]) {
-                let same = |c: &PatchCopy| c.cell == copy.cell && c.weight > 0.0;
+                let same = |c: &PatchCopy| c.lattice_vertex == copy.lattice_vertex && c.weight > 0.0;
                 if copy.weight > 0.0 || own[i].iter().any(same) {
-                    *sums = Some(patch.sums(at[0] + copy.shift[0], at[1] + copy.shift[1], time));
+                    *sums = Some(patch.wave_sums_in_patch(
+                        at[0] + copy.shift_in_patches[0],
+                        at[1] + copy.shift_in_patches[1],
+                        time,
+                    ));
                 }
             }
         }
-        CopySums { blends: *blends, sums }
+        PatchCopySums { copy_blends: *blends, sums }
     }
 }
 

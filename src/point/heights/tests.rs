@@ -37,15 +37,19 @@ fn the_strongest_come_first() {
     let all = StrongestWaves::new(&plan, usize::MAX);
     let total = all.kept_m2;
     assert_eq!((all.residual_rms_m(), all.residual_slope_rms(), all.variance_fraction()), (0.0, 0.0, 1.0));
-    let mut waves = candidates(&plan);
+    let mut waves = candidate_waves(&plan);
     waves.sort_by(|a, b| b.variance().total_cmp(&a.variance()));
     for modes in [1, 7, 200, 3000] {
         let some = StrongestWaves::new(&plan, modes);
         assert_eq!(some.wave_count(), modes);
-        let kept: f64 = waves[..modes].iter().map(Candidate::variance).sum();
+        let kept: f64 = waves[..modes].iter().map(CandidateWave::variance).sum();
         assert!((some.kept_m2 / kept - 1.0).abs() < 1e-12);
         assert!(((some.kept_m2 + some.left_out_m2) / total - 1.0).abs() < 1e-12);
-        let lanes = some.patches.iter().flat_map(|p| &p.blocks).flat_map(|b| (b.re * b.re + b.im * b.im).to_array());
+        let lanes = some
+            .patches
+            .iter()
+            .flat_map(|p| &p.waves_by_four)
+            .flat_map(|b| (b.amplitude_re_m * b.amplitude_re_m + b.amplitude_im_m * b.amplitude_im_m).to_array());
         let weakest = lanes.filter(|&s| s > 0.0).fold(f64::INFINITY, f64::min);
         assert!((0.5 * weakest / waves[modes - 1].variance() - 1.0).abs() < 1e-12);
     }

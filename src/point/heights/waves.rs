@@ -3,7 +3,7 @@
 use crate::state::params::MAX_CASCADES;
 use crate::waves::plan::{Cascade, Plan};
 use crate::waves::statistics::{initial_amplitude, lattice_indices};
-use crate::waves::table::{Table, entry_index};
+use crate::waves::table::{SpectrumTable, entry_index};
 use crate::waves::tiling::{PatchCopy, Tiling};
 use glam::DVec4;
 use std::cmp::Ordering;
@@ -14,20 +14,20 @@ use std::f64::consts::FRAC_PI_2;
 pub(super) struct PatchWaves {
     pub(super) side_m: f64,
     pub(super) tiling: Tiling,
-    pub(super) dk: f64,
-    pub(super) blocks: Vec<WaveBlock>,
+    pub(super) dk_rad_m: f64,
+    pub(super) waves_by_four: Vec<FourWaves>,
 }
 
 /// Four travelling waves eta = Re[h e^{i (k.x - omega t)}], one per lane of the CPU's vector units. h is twice the
 /// initial Fourier amplitude h0 of the wave vector k; unused lanes have h = 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct WaveBlock {
+pub(super) struct FourWaves {
     /// Components `ix` and `iz` of the wave vector of each lane, in units of the lattice spacing dk; whole numbers.
     ix: DVec4,
     iz: DVec4,
     /// Real (`re`) and imaginary part (`im`) of the complex amplitude h of each lane, m.
-    pub(super) re: DVec4,
-    pub(super) im: DVec4,
+    pub(super) amplitude_re_m: DVec4,
+    pub(super) amplitude_im_m: DVec4,
     /// Factor coth(k depth) / |(ix, iz)| of each lane, which turns h (ix, iz) into the amplitude of D = (Dx, Dz).
     orbit_axis_ratio: DVec4,
     omega_rad_s: DVec4,
@@ -36,39 +36,39 @@ pub(super) struct WaveBlock {
 }
 
 /// A wave that the seed of a plan generates: a candidate for the selection of the strongest waves.
-pub(super) struct Candidate {
+pub(super) struct CandidateWave {
     /// Index of the cascade to which the wave belongs.
-    pub(super) cascade: usize,
+    pub(super) cascade_index: usize,
     ix: i32,
     iz: i32,
     h0: [f64; 2],
 }
 
-impl Candidate {
+impl CandidateWave {
     /// Elevation variance of the wave, 2 |h0|^2 with its initial amplitude h0, m^2.
     pub(super) fn variance(&self) -> f64 {
         2.0 * (self.h0[0] * self.h0[0] + self.h0[1] * self.h0[1])
     }
 
     /// Square of the wave number in units of the lattice spacing, ix^2 + iz^2.
-    pub(super) fn squared_index(&self) -> u32 {
+    pub(super) fn squared_wave_vector_index(&self) -> u32 {
         (self.ix * self.ix + self.iz * self.iz) as u32
     }
 
     /// Ordering of waves by decreasing variance; waves of equal variance are ordered by cascade, iz and ix.
     pub(super) fn by_decreasing_variance(&self, other: &Self) -> Ordering {
-        let place = |c: &Self| (c.cascade, c.iz, c.ix);
+        let place = |c: &Self| (c.cascade_index, c.iz, c.ix);
         other.variance().total_cmp(&self.variance()).then_with(|| place(self).cmp(&place(other)))
     }
 }
 
 /// For each cascade, the three shifted copies of its patch blended at an undisplaced point, with their weights.
-pub(super) type Blends = [[PatchCopy; 3]; MAX_CASCADES];
+pub(super) type PatchCopyBlends = [[PatchCopy; 3]; MAX_CASCADES];
 
 /// Sums over waves ([`WaveSums`]) at an undisplaced point for each single copy of every patch; `None` for copies that
 /// were not evaluated.
-pub(super) struct CopySums {
-    pub(super) blends: Blends,
+pub(super) struct PatchCopySums {
+    pub(super) copy_blends: PatchCopyBlends,
     pub(super) sums: [[Option<WaveSums>; 3]; MAX_CASCADES],
 }
 
@@ -77,36 +77,37 @@ pub(super) struct CopySums {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct WaveSums {
     /// Elevation eta of the surface above the still water, m.
-    pub(super) eta: f64,
-    /// Slopes d eta/dx and d eta/dz of the elevation eta (m/m), without those that `tile_slope` holds.
+    pub(super) elevation_m: f64,
+    /// Slopes d eta/dx and d eta/dz of the elevation eta (m/m), without those that `blend_weight_slope` holds.
     pub(super) slope: [f64; 2],
     /// Horizontal displacement D = (Dx, Dz), m, before multiplication by the chop factors.
-    pub(super) d: [f64; 2],
-    /// Strain (dDx/dx, dDz/dz, dDx/dz = dDz/dx) of the horizontal displacement D, without that in `tile_strain`.
+    pub(super) displacement_m: [f64; 2],
+    /// Strain (dDx/dx, dDz/dz, dDx/dz = dDz/dx) of the horizontal displacement D, without that in
+    /// `blend_weight_strain`.
     pub(super) strain: [f64; 3],
     /// Orbital velocity (dDx/dt, d eta/dt, dDz/dt), m/s.
-    pub(super) velocity: [f64; 3],
+    pub(super) orbital_velocity_m_s: [f64; 3],
     /// Potential whose gradient is the horizontal displacement D, m^2.
-    pub(super) potential: f64,
+    pub(super) displacement_potential_m2: f64,
     /// Additional slopes (d eta/dx, d eta/dz) that arise because the weights of the blended patch copies vary in space.
-    pub(super) tile_slope: [f64; 2],
+    pub(super) blend_weight_slope: [f64; 2],
     /// Additional strain (dDx/dx, dDz/dz, dDx/dz, dDz/dx) that arises because the weights of the copies vary in space.
-    pub(super) tile_strain: [f64; 4],
+    pub(super) blend_weight_strain: [f64; 4],
 }
 
 impl WaveSums {
     /// Adds the wave sums of one of the overlapping copies of the patch, multiplied by the copy's weight. By the
     /// product rule, slope and strain also get the height and the displacement times the gradient of the weight.
-    fn add(&mut self, copy_sums: &Self, copy: &PatchCopy) {
-        let (w, [wx, wz], [dx, dz]) = (copy.weight, copy.gradient, copy_sums.d);
-        self.eta += w * copy_sums.eta;
+    fn add_weighted_copy(&mut self, copy_sums: &Self, copy: &PatchCopy) {
+        let (w, [wx, wz], [dx, dz]) = (copy.weight, copy.weight_gradient_per_m, copy_sums.displacement_m);
+        self.elevation_m += w * copy_sums.elevation_m;
         add_scaled(&mut self.slope, w, copy_sums.slope);
-        add_scaled(&mut self.d, w, copy_sums.d);
+        add_scaled(&mut self.displacement_m, w, copy_sums.displacement_m);
         add_scaled(&mut self.strain, w, copy_sums.strain);
-        add_scaled(&mut self.velocity, w, copy_sums.velocity);
-        self.potential += w * copy_sums.potential;
-        add_scaled(&mut self.tile_slope, copy_sums.eta, copy.gradient);
-        add_scaled(&mut self.tile_strain, 1.0, [wx * dx, wz * dz, wz * dx, wx * dz]);
+        add_scaled(&mut self.orbital_velocity_m_s, w, copy_sums.orbital_velocity_m_s);
+        self.displacement_potential_m2 += w * copy_sums.displacement_potential_m2;
+        add_scaled(&mut self.blend_weight_slope, copy_sums.elevation_m, copy.weight_gradient_per_m);
+        add_scaled(&mut self.blend_weight_strain, 1.0, [wx * dx, wz * dz, wz * dx, wx * dz]);
     }
 }
 
@@ -114,15 +115,19 @@ fn add_scaled<const N: usize>(sum: &mut [f64; N], factor: f64, term: [f64; N]) {
     sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += factor * term);
 }
 
-impl CopySums {
+impl PatchCopySums {
     /// Returns the wave sums of all patches, blended with the weights in `blends`, and a flag that is false if the sums
     /// of a copy with a weight above 0 are missing.
-    pub(super) fn blended(&self, blends: &Blends) -> (WaveSums, bool) {
+    pub(super) fn blended(&self, blends: &PatchCopyBlends) -> (WaveSums, bool) {
         let (mut all, mut complete) = (WaveSums::default(), true);
-        for ((blend, known), sums) in blends.iter().zip(&self.blends).zip(&self.sums) {
+        for ((blend, known), sums) in blends.iter().zip(&self.copy_blends).zip(&self.sums) {
             for copy in blend.iter().filter(|c| c.weight > 0.0) {
-                match known.iter().zip(sums).find_map(|(k, sums)| sums.as_ref().filter(|_| k.cell == copy.cell)) {
-                    Some(sums) => all.add(sums, copy),
+                match known
+                    .iter()
+                    .zip(sums)
+                    .find_map(|(k, sums)| sums.as_ref().filter(|_| k.lattice_vertex == copy.lattice_vertex))
+                {
+                    Some(sums) => all.add_weighted_copy(sums, copy),
                     None => complete = false,
                 }
             }
@@ -132,32 +137,42 @@ impl CopySums {
 }
 
 impl PatchWaves {
-    pub(super) fn new<'a>(plan: &Plan, cascade: &Cascade, waves: impl Iterator<Item = &'a Candidate>) -> Self {
-        let mut blocks: Vec<WaveBlock> = Vec::new();
+    pub(super) fn new<'a>(plan: &Plan, cascade: &Cascade, waves: impl Iterator<Item = &'a CandidateWave>) -> Self {
+        let mut blocks: Vec<FourWaves> = Vec::new();
         for (i, candidate) in waves.enumerate() {
             let lane = i % 4;
             if lane == 0 {
-                blocks.push(WaveBlock::default());
+                blocks.push(FourWaves::default());
             }
             let block = &mut blocks[i / 4];
-            let wave = plan.wave(cascade, candidate.squared_index());
+            let wave = plan.wave_at_squared_index(cascade, candidate.squared_wave_vector_index());
             block.ix[lane] = f64::from(candidate.ix);
             block.iz[lane] = f64::from(candidate.iz);
-            block.re[lane] = 2.0 * candidate.h0[0];
-            block.im[lane] = 2.0 * candidate.h0[1];
-            block.orbit_axis_ratio[lane] = wave.orbit_axis_ratio / f64::from(candidate.squared_index()).sqrt();
+            block.amplitude_re_m[lane] = 2.0 * candidate.h0[0];
+            block.amplitude_im_m[lane] = 2.0 * candidate.h0[1];
+            block.orbit_axis_ratio[lane] =
+                wave.orbit_axis_ratio / f64::from(candidate.squared_wave_vector_index()).sqrt();
             block.omega_rad_s[lane] = wave.omega;
             block.cycles_per_period[lane] = wave.cycles_per_period;
         }
-        Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk: cascade.dk(), blocks }
+        Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk_rad_m: cascade.dk(), waves_by_four: blocks }
     }
 
     /// Sums over the patch's waves at the undisplaced point (`x`, `z`), in units of the patch's side; `time` counts
     /// 2^32 ticks per period of the sea.
-    pub(super) fn sums(&self, x: f64, z: f64, time: u32) -> WaveSums {
+    pub(super) fn wave_sums_in_patch(&self, x: f64, z: f64, time: u32) -> WaveSums {
         // Sums per lane, without common factors: eta, its slopes, D, strain (xx, zz, xz), velocity, potential.
         let mut sums = [DVec4::ZERO; 12];
-        for &WaveBlock { ix, iz, re, im, orbit_axis_ratio, omega_rad_s, cycles_per_period } in &self.blocks {
+        for &FourWaves {
+            ix,
+            iz,
+            amplitude_re_m: re,
+            amplitude_im_m: im,
+            orbit_axis_ratio,
+            omega_rad_s,
+            cycles_per_period,
+        } in &self.waves_by_four
+        {
             // Signed integers convert to f64 with vector instructions; a subtracted whole turn has no effect.
             let turned = DVec4::from_array(cycles_per_period.map(|t| f64::from(t.wrapping_mul(time) as i32)));
             let (sin, cos) = sin_cos_turns(ix * x + iz * z - turned * (1.0 / 4_294_967_296.0));
@@ -181,25 +196,25 @@ impl PatchWaves {
         }
         let [eta, sx, sz, dx, dz, xx, zz, xz, ux, uy, uz, potential] = sums.map(DVec4::element_sum);
         WaveSums {
-            eta,
-            slope: [-self.dk * sx, -self.dk * sz],
-            d: [-dx, -dz],
-            strain: [-self.dk * xx, -self.dk * zz, -self.dk * xz],
-            velocity: [ux, uy, uz],
-            potential: potential / self.dk,
+            elevation_m: eta,
+            slope: [-self.dk_rad_m * sx, -self.dk_rad_m * sz],
+            displacement_m: [-dx, -dz],
+            strain: [-self.dk_rad_m * xx, -self.dk_rad_m * zz, -self.dk_rad_m * xz],
+            orbital_velocity_m_s: [ux, uy, uz],
+            displacement_potential_m2: potential / self.dk_rad_m,
             ..WaveSums::default()
         }
     }
 }
 
 /// All waves with a non-zero amplitude, of all cascades, that the seed of a plan generates.
-pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
+pub(super) fn candidate_waves(plan: &Plan) -> Vec<CandidateWave> {
     let mut waves = Vec::new();
     for (i, cascade) in plan.cascades.iter().enumerate() {
-        let table = Table::new(plan, cascade);
+        let table = SpectrumTable::new(plan, cascade);
         let filled = lattice_indices(plan.n).filter(|&(ix, iz)| table.waves[entry_index(ix, iz)].k > 0.0);
         let candidate =
-            |(ix, iz)| Candidate { cascade: i, ix, iz, h0: initial_amplitude(plan, cascade, &table, ix, iz) };
+            |(ix, iz)| CandidateWave { cascade_index: i, ix, iz, h0: initial_amplitude(plan, cascade, &table, ix, iz) };
         waves.extend(filled.map(candidate).filter(|wave| wave.variance() > 0.0));
     }
     waves
@@ -212,15 +227,17 @@ pub(super) fn candidates(plan: &Plan) -> Vec<Candidate> {
 #[inline]
 pub(super) fn sin_cos_turns(turns: DVec4) -> (DVec4, DVec4) {
     // Adding and subtracting 1.5 x 2^52 rounds to a whole number.
-    const WHOLE: f64 = 6_755_399_441_055_744.0;
+    const ROUNDING_MAGIC: f64 = 6_755_399_441_055_744.0;
     // Factorials 3!, 5! ... 15! and 2!, 4! ... 16!; the truncated terms are below 5e-17.
-    const SIN: [f64; 7] = [6.0, 120.0, 5_040.0, 362_880.0, 39_916_800.0, 6_227_020_800.0, 1_307_674_368_000.0];
-    const COS: [f64; 8] =
+    const ODD_FACTORIALS: [f64; 7] =
+        [6.0, 120.0, 5_040.0, 362_880.0, 39_916_800.0, 6_227_020_800.0, 1_307_674_368_000.0];
+    const EVEN_FACTORIALS: [f64; 8] =
         [2.0, 24.0, 720.0, 40_320.0, 3_628_800.0, 479_001_600.0, 87_178_291_200.0, 20_922_789_888_000.0];
-    let angle = (turns - ((turns + WHOLE) - WHOLE)) * FRAC_PI_2;
+    let angle = (turns - ((turns + ROUNDING_MAGIC) - ROUNDING_MAGIC)) * FRAC_PI_2;
     let square = angle * angle;
     let series = |factorials: &[f64]| factorials.iter().rev().fold(DVec4::ZERO, |sum, f| 1.0 / f - square * sum);
-    let (mut sin, mut cos) = (angle - angle * square * series(&SIN), 1.0 - square * series(&COS));
+    let (mut sin, mut cos) =
+        (angle - angle * square * series(&ODD_FACTORIALS), 1.0 - square * series(&EVEN_FACTORIALS));
     for _ in 0..2 {
         (sin, cos) = (2.0 * sin * cos, 1.0 - 2.0 * sin * sin);
     }

@@ -2,7 +2,7 @@
 
 use super::bloom::BloomPass;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, BindingType, Program};
+use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
 use crate::gpu::layout::gpu_struct;
 use crate::gpu::uniform::Uniform;
 use crate::render::scene::Scene;
@@ -66,8 +66,8 @@ impl PresentPass {
         let layout = gpu.bind_group_layout("present", wgpu::ShaderStages::FRAGMENT, &bindings);
         let constants = [("PRESENT_SMOOTH", f64::from(u8::from(smooth)))];
         let module = shaders.module(gpu, "film/present");
-        let program = Program { constants: &constants, ..Program::new(&module) };
-        let onto = Attachments { formats: &[target_format], depth: None };
+        let program = RenderProgram { constants: &constants, ..RenderProgram::new(&module) };
+        let onto = AttachmentFormats { formats: &[target_format], depth: None };
         let pipeline = gpu.render_pipeline("present", &program, &[&layout], &onto);
         let clamp = [wgpu::AddressMode::ClampToEdge; 2];
         let sampler = gpu.sampler("hdr", clamp, wgpu::MipmapFilterMode::Nearest);

@@ -2,7 +2,7 @@
 
 use super::tables::SkyTables;
 use crate::gpu::Gpu;
-use crate::gpu::kit::Program;
+use crate::gpu::kit::RenderProgram;
 use crate::render::scene::Scene;
 use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{DEPTH_TEST_BACKGROUND, attachments};
@@ -15,12 +15,12 @@ const STARS_MAX_SUN_SINE: f64 = -0.05;
 /// Draws the sky behind the sea: clear air, sun, clouds, stars and fog, or an image from a file.
 pub struct BackgroundPass {
     module: wgpu::ShaderModule,
-    pipelines: PipelineVariants<Permutation>,
+    pipelines: PipelineVariants<BackgroundVariant>,
 }
 
 /// Parts of the sky that a variant of the background pipeline draws; the other shader code is compiled out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Permutation {
+struct BackgroundVariant {
     sky_image: bool,
     clouds: bool,
     stars: bool,
@@ -37,7 +37,7 @@ impl BackgroundPass {
     pub fn select_pipeline(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &SkyTables, scene: &Scene) {
         let look = &scene.look.sky;
         let file = look.panorama().is_some();
-        let parts = Permutation {
+        let parts = BackgroundVariant {
             sky_image: file,
             clouds: !file && look.overcast > 0.0,
             stars: !file && look.sun_direction()[1] < STARS_MAX_SUN_SINE,
@@ -51,7 +51,7 @@ impl BackgroundPass {
                 switch_constant("SKY_STARS", parts.stars),
                 switch_constant("SKY_FOG", parts.fog),
             ];
-            let program = Program { constants: &constants, ..Program::new(&self.module) };
+            let program = RenderProgram { constants: &constants, ..RenderProgram::new(&self.module) };
             gpu.render_pipeline("sky", &program, &layouts, &attachments(&group.output.format(), DEPTH_TEST_BACKGROUND))
         });
     }

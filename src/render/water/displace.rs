@@ -76,7 +76,7 @@ impl DisplacePass {
 
     /// Sets the mesh for the next frames. Buffers are allocated again only if its density has changed.
     pub fn set_mesh(&mut self, gpu: &Gpu, mesh: &Mesh) {
-        (self.columns, self.index_count) = (mesh.columns, mesh.index_count());
+        (self.columns, self.index_count) = (mesh.drawn_columns, mesh.index_count());
         let same = |b: &MeshBuffers| (b.rows, b.index_buffer_columns) == (mesh.lattice.rows, mesh.index_buffer_columns);
         if self.buffers.as_ref().is_some_and(same) {
             return;

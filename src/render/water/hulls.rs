@@ -1,7 +1,7 @@
 //! Floating buoys and boats (shaders/water/hulls.wgsl): a few small hulls, whose vertices the CPU transforms.
 
 use crate::gpu::Gpu;
-use crate::gpu::kit::{BindingType, Program};
+use crate::gpu::kit::{BindingType, RenderProgram};
 use crate::gpu::layout::gpu_struct;
 use crate::point::floating::HullPose;
 use crate::render::scene_group::SceneGroup;
@@ -110,7 +110,7 @@ impl HullPass {
             let layouts = [&scene.layout, &self.layout];
             gpu.render_pipeline(
                 "hulls",
-                &Program::new(&self.module),
+                &RenderProgram::new(&self.module),
                 &layouts,
                 &attachments(&scene.output.format(), DEPTH_TEST_OPAQUE),
             )

@@ -3,7 +3,7 @@
 use super::displace::DisplacePass;
 use super::material;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{Attachments, BindingType, DepthState, Program};
+use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
@@ -23,7 +23,7 @@ const DEPTH_TEST_WATER_LIGHT: DepthState =
 
 /// What a variant of the water's lighting pipeline can draw; the shader code for the rest is compiled out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Permutation {
+struct WaterLightVariant {
     /// Whether the sea bed is visible through the water.
     bed: bool,
     /// Whether waves focus sunlight into caustics on the bed.
@@ -44,7 +44,7 @@ struct Permutation {
     software_adapter: bool,
 }
 
-impl Permutation {
+impl WaterLightVariant {
     fn new(scene: &Scene, output: OutputKind, software_adapter: bool) -> Self {
         let surface = &scene.look.surface;
         let bed = material::is_bed_visible(scene);
@@ -91,7 +91,7 @@ pub struct WaterPass {
     g_buffer_layout: wgpu::BindGroupLayout,
     /// The two textures of the bound G-buffer, and their bind group; None before the first frame.
     g_buffer: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
-    light_pipelines: PipelineVariants<Permutation>,
+    light_pipelines: PipelineVariants<WaterLightVariant>,
     maps_layout: wgpu::BindGroupLayout,
     /// Samplers of the maps: the first interpolates between mip levels, the second takes the nearest level.
     samplers: [wgpu::Sampler; 2],
@@ -117,8 +117,8 @@ impl WaterPass {
             .map(|mipmap_filter| gpu.sampler("waves", [wgpu::AddressMode::Repeat; 2], mipmap_filter));
         let mesh = DisplacePass::new(gpu, shaders, frame, &maps_layout);
         let module = shaders.module(gpu, "water/light");
-        let program = Program { entry_points: ["mesh_vertex", "mesh_fragment"], ..Program::new(&module) };
-        let onto = Attachments { formats: &G_BUFFER_FORMATS, depth: Some(DEPTH_TEST_OPAQUE) };
+        let program = RenderProgram { entry_points: ["mesh_vertex", "mesh_fragment"], ..RenderProgram::new(&module) };
+        let onto = AttachmentFormats { formats: &G_BUFFER_FORMATS, depth: Some(DEPTH_TEST_OPAQUE) };
         let layouts = [&scene.layout, &maps_layout, mesh.vertices_layout()];
         Self {
             g_buffer_pipeline: gpu.render_pipeline("water/mesh", &program, &layouts, &onto),
@@ -141,7 +141,7 @@ impl WaterPass {
 
     /// Makes the bind group of the wave and foam maps, unless the existing one has the same textures (same generation).
     pub fn bind_maps(&mut self, gpu: &Gpu, maps: &Maps) {
-        if self.bound_maps.as_ref().is_some_and(|(generation, _)| *generation == maps.generation) {
+        if self.bound_maps.as_ref().is_some_and(|(generation, _)| *generation == maps.view_generation) {
             return;
         }
         let resources = [
@@ -152,7 +152,7 @@ impl WaterPass {
             Sampler(&self.samplers[0]),
             Sampler(&self.samplers[1]),
         ];
-        self.bound_maps = Some((maps.generation, gpu.bind_group("maps", &self.maps_layout, &resources)));
+        self.bound_maps = Some((maps.view_generation, gpu.bind_group("maps", &self.maps_layout, &resources)));
     }
 
     /// Makes the bind group through which the lighting reads the G-buffer of `targets`, unless it exists already.
@@ -168,9 +168,12 @@ impl WaterPass {
     pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
         let (module, format) = (&self.module, self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
-        self.light_pipelines.select(Permutation::new(scene, self.scene.output, self.software_adapter), |parts| {
-            let program =
-                Program { module, entry_points: ["light_vertex", "light_fragment"], constants: &parts.constants() };
+        self.light_pipelines.select(WaterLightVariant::new(scene, self.scene.output, self.software_adapter), |parts| {
+            let program = RenderProgram {
+                module,
+                entry_points: ["light_vertex", "light_fragment"],
+                constants: &parts.constants(),
+            };
             gpu.render_pipeline("water/light", &program, &layouts, &attachments(&format, DEPTH_TEST_WATER_LIGHT))
         });
     }

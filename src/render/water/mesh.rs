@@ -48,7 +48,7 @@ pub struct Mesh {
     /// Number of columns of quads in the index buffer. It depends only on the density of the mesh, not on the view.
     pub index_buffer_columns: u32,
     /// Number of columns of quads that are drawn in this view, a multiple of [`COLUMNS_PER_BLOCK`].
-    pub columns: u32,
+    pub drawn_columns: u32,
 }
 
 impl Mesh {
@@ -61,7 +61,7 @@ impl Mesh {
         let rows = (DEFAULT_ROWS * scale).ceil() as u32;
         let (lift, shift) = (1.1 * sea.hs_m, 0.6 * sea.hs_m * sea.max_choppiness());
         let eye = view.eye.y.max(0.1);
-        let (lowest, widest) = visible_angles(view);
+        let (lowest, widest) = visible_water_angles_rad(view);
 
         // Distances grow linearly with the row up to about `radius`, and exponentially beyond.
         let radius = (0.5 * (eye - lift)).max(0.04 * eye).max(0.25);
@@ -97,7 +97,7 @@ impl Mesh {
                 unused: [0; 2],
             },
             index_buffer_columns,
-            columns: needed,
+            drawn_columns: needed,
         }
     }
 
@@ -119,13 +119,13 @@ impl Mesh {
 
     /// Number of vertex indices that are drawn in this view, three per triangle.
     pub fn index_count(&self) -> u32 {
-        self.columns * (self.lattice.rows - 1) * 6
+        self.drawn_columns * (self.lattice.rows - 1) * 6
     }
 }
 
 /// Limits of the directions in the picture that may show water: lowest elevation (negative below the horizontal), and
 /// largest azimuth to either side of the picture's middle, both rad; (-pi/2, pi) if the point below the eye is visible.
-fn visible_angles(view: &View) -> (f64, f64) {
+fn visible_water_angles_rad(view: &View) -> (f64, f64) {
     let down = -glam::DVec3::Y;
     let depth = down.dot(view.forward);
     let [tx, ty] = view.tan_half_fov.map(|t| 1.1 * t);
@@ -179,7 +179,7 @@ mod tests {
                         let view = View::new(&camera, 16.0 / 9.0, 0.0);
                         let mesh = Mesh::new(&view, &sea(hs), 1.0, 0.0);
                         let case = format!("pitch {pitch} y {y_m} hs {hs} heading {heading_deg} {mesh:?}");
-                        assert!(mesh.columns <= mesh.index_buffer_columns, "{case}");
+                        assert!(mesh.drawn_columns <= mesh.index_buffer_columns, "{case}");
                         let l = mesh.lattice;
                         let [a0, da, t0, dt, radius] =
                             [l.first_azimuth, l.azimuth_step, l.first_log_radius, l.log_radius_step, l.linear_radius_m]
@@ -195,7 +195,7 @@ mod tests {
                             let crest = (y_m - hs).max(0.0) / -ray.y * ray.x.hypot(ray.z);
                             assert!(near <= crest + 1e-6, "{case}: {near} > {crest}");
                             let turns = ((ray.x.atan2(-ray.z) - a0) / TAU).rem_euclid(1.0);
-                            assert!(turns * TAU <= da * f64::from(mesh.columns), "{case}: {turns}");
+                            assert!(turns * TAU <= da * f64::from(mesh.drawn_columns), "{case}: {turns}");
                         }
                     }
                 }

@@ -16,7 +16,7 @@ pub struct UnrolledTransform {
     rows_first: Kernel,
     rows_second: Kernel,
     columns_first: Kernel,
-    columns_second: SecondColumnKernels,
+    columns_second: ColumnsSecondKernels,
     buffers: IntermediateBuffers,
     groups: FftBindGroups,
 }
@@ -39,7 +39,7 @@ struct FftBindGroups {
 
 /// Kernels of the last dispatch, the second round of the FFT along z. `plain` writes the maps; `with_f32` also keeps
 /// them in f32. `with_f32` is compiled at its first use, as compiling takes long and few programs need the f32 maps.
-struct SecondColumnKernels {
+struct ColumnsSecondKernels {
     gpu: Gpu,
     module: wgpu::ShaderModule,
     n: u32,
@@ -47,7 +47,7 @@ struct SecondColumnKernels {
     with_f32: OnceLock<Kernel>,
 }
 
-impl SecondColumnKernels {
+impl ColumnsSecondKernels {
     fn new(gpu: &Gpu, shaders: &Shaders, n: u32) -> Self {
         let module = shaders.unrolled_module(gpu, UnrolledKernel::ColumnsSecond, n);
         let plain = Self::compile(gpu, &module, n, false);
@@ -83,7 +83,7 @@ impl UnrolledTransform {
         let rows_first = kernel("sea/rows/first", UnrolledKernel::RowsFirst, &rows_first);
         let rows_second = kernel("sea/rows/second", UnrolledKernel::RowsSecond, &[read, write]);
         let columns_first = kernel("sea/columns/first", UnrolledKernel::ColumnsFirst, &[read, read, write]);
-        let columns_second = SecondColumnKernels::new(gpu, shaders, n);
+        let columns_second = ColumnsSecondKernels::new(gpu, shaders, n);
         let buffers = IntermediateBuffers::new(gpu, r);
         let kernels = [&rows_first, &rows_second, &columns_first, &columns_second.plain];
         let groups = FftBindGroups::new(gpu, kernels, &buffers, r, uniforms);
@@ -103,7 +103,8 @@ impl UnrolledTransform {
     /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
     /// x.
     pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
-        let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
+        let (n, FftFactors { first_round_points: first, second_round_points: second }) =
+            (self.n, FftFactors::new(self.n));
         // One row of threads computes two rows of opposite wave vectors: n / 2 + 1 rows in workgroups of 8.
         let size = [second / 8, n / 16 + 1, dispatch.cascade_count];
         self.rows_first.run(
@@ -117,7 +118,8 @@ impl UnrolledTransform {
 
     /// Records the column pass for one sea: inverse FFT along z, and a copy of its results to mip level 0 of the maps.
     pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
-        let (n, FftFactors { first, second }) = (self.n, FftFactors::new(self.n));
+        let (n, FftFactors { first_round_points: first, second_round_points: second }) =
+            (self.n, FftFactors::new(self.n));
         self.columns_first.run(encoder, &self.groups.columns_first, &[], [n / 64, second, 2 * dispatch.cascade_count]);
         let kernel = self.columns_second.kernel(dispatch.keeps_f32_maps);
         kernel.run(encoder, &self.groups.columns_second, &[], [n / 64, first, 2 * dispatch.cascade_count]);

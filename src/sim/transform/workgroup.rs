@@ -30,13 +30,14 @@ struct FftBindGroups {
 
 /// Number of lines (rows or columns of the lattice) that one workgroup transforms, for an FFT of `n` points per line.
 fn lines_per_workgroup(n: u32) -> u32 {
-    (MIN_WORKGROUP_THREADS / FftFactors::new(n).second).clamp(1, MAX_EXCHANGE_VECTORS / n)
+    (MIN_WORKGROUP_THREADS / FftFactors::new(n).second_round_points).clamp(1, MAX_EXCHANGE_VECTORS / n)
 }
 
 impl WorkgroupTransform {
     /// Compiles the row pass and the column pass and binds the buffers and maps of `r` and `uniforms` to them.
     pub fn new(gpu: &Gpu, shaders: &Shaders, r: &Resources, uniforms: &SimulationUniforms) -> Self {
-        let (lines, FftFactors { first, second }) = (lines_per_workgroup(r.n), FftFactors::new(r.n));
+        let (lines, FftFactors { first_round_points: first, second_round_points: second }) =
+            (lines_per_workgroup(r.n), FftFactors::new(r.n));
         let constants = [
             ("N", r.n),
             ("RADIX_1", first),
@@ -110,7 +111,8 @@ mod tests {
     #[test]
     fn kernels_fit_the_base_limits() {
         for n in [64, 128, 256, 512, 1024] {
-            let (lines, FftFactors { first, second }) = (lines_per_workgroup(n), FftFactors::new(n));
+            let (lines, FftFactors { first_round_points: first, second_round_points: second }) =
+                (lines_per_workgroup(n), FftFactors::new(n));
             assert_eq!(first * second, n);
             assert!(first >= second && [8, 16, 32].contains(&first) && [8, 16, 32].contains(&second));
             assert!(lines * n <= MAX_EXCHANGE_VECTORS && n % lines == 0 && lines * second <= 256);

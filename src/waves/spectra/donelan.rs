@@ -8,7 +8,7 @@ use super::spectrum::{FrequencySpectrum, SpectrumInputs, peak_enhancement};
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u) = (inputs.gravity_m_s2, inputs.wind_m_s);
     let grown = (11.6 * inputs.dimensionless_fetch.powf(-0.23)).clamp(0.83, 5.0);
-    let omega_p = inputs.omega_p.unwrap_or(grown * g / u);
+    let omega_p = inputs.user_omega_p.unwrap_or(grown * g / u);
     let inverse_age = (u * omega_p / g).clamp(0.83, 5.0);
     let alpha = 0.006 * inverse_age.powf(0.55);
     let a = alpha * g * g / omega_p;

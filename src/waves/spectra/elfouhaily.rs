@@ -13,7 +13,7 @@ const MIN_PHASE_SPEED_M_S: f64 = 0.23;
 pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let (g, u, dispersion) = (inputs.gravity_m_s2, inputs.wind_m_s, inputs.dispersion);
     let grown = 0.84 * ((inputs.dimensionless_fetch / 2.2e4).powf(0.4)).tanh().powf(-0.75);
-    let omega_p = inputs.omega_p.unwrap_or(grown.clamp(0.84, 5.0) * g / u);
+    let omega_p = inputs.user_omega_p.unwrap_or(grown.clamp(0.84, 5.0) * g / u);
     let k_p = omega_p * omega_p / g;
     let inverse_age = (u * omega_p / g).clamp(0.84, 5.0);
     let (gamma, sigma) = peak_enhancement_and_width(inverse_age);
@@ -35,7 +35,7 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let density = move |omega| dispersion.density_over_omega(density_k, omega);
     let mut spectrum = FrequencySpectrum::new(dispersion.omega(k_p), density);
     // Breakpoints around the secondary maximum of the capillary waves.
-    spectrum.breakpoints.extend([100.0, 370.0, 1500.0].map(|k| dispersion.omega(k)));
+    spectrum.integration_breakpoints_rad_s.extend([100.0, 370.0, 1500.0].map(|k| dispersion.omega(k)));
     spectrum
 }
 

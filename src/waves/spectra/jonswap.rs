@@ -7,10 +7,10 @@ use crate::waves::quadrature::integrate_adaptive;
 
 /// Dimensionless fetch g F / U^2 (gravity g, fetch F, wind speed U) at which JONSWAP waves are as high as those of a
 /// fully developed sea.
-const FULL_FETCH: f64 = 1.1e4;
+const FULL_DEVELOPMENT_DIMENSIONLESS_FETCH: f64 = 1.1e4;
 /// Dimensionless fetch g F / U^2 (gravity g, fetch F, wind speed U) above which the user gets a notice: JONSWAP waves
 /// are then a quarter higher than those of a fully developed sea.
-const EXCESSIVE_FETCH: f64 = 1.6e4;
+const NOTICE_DIMENSIONLESS_FETCH: f64 = 1.6e4;
 
 /// JONSWAP spectrum alpha g^2 omega^-5 exp(-5/4 (omega_p/omega)^4) times peak enhancement (Hasselmann et al. 1973).
 #[derive(Clone, Copy)]
@@ -43,7 +43,7 @@ pub fn tma(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let factor = depth_factor(inputs);
     let mut out = FrequencySpectrum::new(tma.omega_p, move |omega| tma.density(omega) * factor(omega));
     if sea.depth_factor == DepthFactor::Branches {
-        out.breakpoints.extend([1.0, 2.0].map(|x| x / (sea.depth_m / g).sqrt()));
+        out.integration_breakpoints_rad_s.extend([1.0, 2.0].map(|x| x / (sea.depth_m / g).sqrt()));
     }
     FrequencySpectrum { notice: full_development_notice(inputs), ..out }
 }
@@ -70,9 +70,9 @@ pub fn depth_factor(inputs: &SpectrumInputs<'_>) -> impl Fn(f64) -> f64 + Copy +
 /// Notice that the fetch is beyond full development, where a real sea stops growing and JONSWAP does not; `None` for a
 /// shorter fetch or if the user has set wave height or period.
 fn full_development_notice(inputs: &SpectrumInputs<'_>) -> Option<String> {
-    let is_set = inputs.system.hs_m > 0.0 || inputs.omega_p.is_some();
-    (inputs.dimensionless_fetch > EXCESSIVE_FETCH && !is_set).then(|| {
-        let fetch_km = inputs.fetch_km(FULL_FETCH);
+    let is_set = inputs.system.hs_m > 0.0 || inputs.user_omega_p.is_some();
+    (inputs.dimensionless_fetch > NOTICE_DIMENSIONLESS_FETCH && !is_set).then(|| {
+        let fetch_km = inputs.fetch_km(FULL_DEVELOPMENT_DIMENSIONLESS_FETCH);
         format!("the sea is fully developed after {fetch_km:.0} km (spectrum=pm); jonswap and tma keep growing")
     })
 }
@@ -85,7 +85,7 @@ pub fn height_and_peak(inputs: &SpectrumInputs<'_>) -> (f64, f64) {
         4.0 * integrate_adaptive(|w| grown.density(w), &knots, 1e-9).sqrt()
     };
     let hs_m = if inputs.system.hs_m > 0.0 { inputs.system.hs_m } else { grown_height() };
-    (hs_m, inputs.omega_p.unwrap_or(grown.omega_p))
+    (hs_m, inputs.user_omega_p.unwrap_or(grown.omega_p))
 }
 
 impl Jonswap {
@@ -100,7 +100,7 @@ impl Jonswap {
     /// JONSWAP spectrum for the wind and fetch, with the user's peak enhancement gamma and, if set, peak frequency.
     pub fn new(inputs: &SpectrumInputs<'_>) -> Self {
         let grown = Self::for_wind_and_fetch(inputs);
-        Self { omega_p: inputs.omega_p.unwrap_or(grown.omega_p), gamma: inputs.system.gamma, ..grown }
+        Self { omega_p: inputs.user_omega_p.unwrap_or(grown.omega_p), gamma: inputs.system.gamma, ..grown }
     }
 
     /// Variance density S(omega), m^2 s, at the angular frequency `omega` (rad/s).

@@ -23,7 +23,7 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
         )
     });
     let peak = 0.61826 + 3.529e-7 * x - 0.001_975_08 * x.sqrt() + 62.554 / x.sqrt() - 290.2 / x;
-    let omega_p = inputs.omega_p.unwrap_or(peak * g / u);
+    let omega_p = inputs.user_omega_p.unwrap_or(peak * g / u);
     let jonswap = Jonswap { alpha_g2: 0.076 * x.powf(-0.22) * g * g, omega_p, ..Jonswap::new(inputs) };
     let factor = inputs.sea.karaev_tma.then(|| depth_factor(inputs));
     let around_peak = move |omega| jonswap.density(omega) * factor.map_or(1.0, |f| f(omega));
@@ -41,7 +41,7 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
         Some(i) => start[i] * (from[i] / omega).powf(power[i]),
     };
     let mut spectrum = FrequencySpectrum::new(omega_p, density);
-    spectrum.breakpoints.extend(from);
+    spectrum.integration_breakpoints_rad_s.extend(from);
     FrequencySpectrum { notice, ..spectrum }
 }
 
@@ -58,7 +58,7 @@ mod tests {
                 sea.depth_m = 20.0;
             });
             // The joints of the branches follow the six breakpoints around the peak.
-            let joints = s.breakpoints[6..].to_vec();
+            let joints = s.integration_breakpoints_rad_s[6..].to_vec();
             for joint in &joints {
                 close(s.density(joint * (1.0 - 1e-9)), s.density(joint * (1.0 + 1e-9)), 1e-6);
             }

@@ -54,7 +54,7 @@ pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpec
             gravity_m_s2,
             wind_m_s,
             dimensionless_fetch: fetch,
-            omega_p,
+            user_omega_p: omega_p,
         })
     };
     if is_measured && sea.measured.is_none() {
@@ -62,7 +62,7 @@ pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpec
                       jonswap is used";
         spectrum.notice = Some(notice.to_owned());
     }
-    spectrum.fade = (system.fade_m > 0.0).then_some((system.fade_m, dispersion));
+    spectrum.short_wave_fade = (system.fade_m > 0.0).then_some((system.fade_m, dispersion));
     if system.hs_m > 0.0 && !spectrum.is_calm {
         let m0 = spectrum.variance_m2();
         if m0 < MIN_M0_M2 {

@@ -16,7 +16,7 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
         ])
     };
     let natural = peaks(1.0);
-    match inputs.omega_p {
+    match inputs.user_omega_p {
         Some(omega_p) => peaks(omega_p / natural.omega_p),
         None => natural,
     }

@@ -9,5 +9,9 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let a = PHILLIPS_ALPHA * inputs.gravity_m_s2 * inputs.gravity_m_s2;
     let omega_p = pierson_moskowitz(inputs).omega_p;
     let density = move |omega: f64| if omega < omega_p { 0.0 } else { a / omega.powi(5) };
-    FrequencySpectrum { discontinuity: Some(omega_p), omega_min: omega_p, ..FrequencySpectrum::new(omega_p, density) }
+    FrequencySpectrum {
+        discontinuity_rad_s: Some(omega_p),
+        omega_min: omega_p,
+        ..FrequencySpectrum::new(omega_p, density)
+    }
 }

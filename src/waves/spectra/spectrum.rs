@@ -20,7 +20,7 @@ pub struct SpectrumInputs<'a> {
     /// Dimensionless fetch g F / U^2, where F is the fetch in m and U the wind speed.
     pub dimensionless_fetch: f64,
     /// Angular peak frequency that the user has set, rad/s; `None` to derive it from wind and fetch.
-    pub omega_p: Option<f64>,
+    pub user_omega_p: Option<f64>,
 }
 
 impl SpectrumInputs<'_> {
@@ -34,17 +34,17 @@ impl SpectrumInputs<'_> {
 #[derive(Clone)]
 pub struct FrequencySpectrum {
     /// One-sided variance density S(omega), m^2 s, for omega > 0, before multiplication by `factor` and `fade`.
-    pub(super) shape: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
+    pub(super) unscaled_density: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
     /// Angular frequency of the spectral peak, rad/s; of two peaks, the one with the larger density S(omega).
     pub omega_p: f64,
     /// Angular frequency (rad/s, above 0) below which the spectrum is negligible; integrals start there.
     pub(super) omega_min: f64,
     /// Angular frequencies (rad/s, in any order) where integrals are split: kinks, jumps and points around the peak.
-    pub breakpoints: Vec<f64>,
+    pub integration_breakpoints_rad_s: Vec<f64>,
     /// Angular frequency at which the spectrum jumps, rad/s; `None` if it is continuous.
-    pub discontinuity: Option<f64>,
+    pub discontinuity_rad_s: Option<f64>,
     /// Whether the spectrum has its own directional spreading instead of the user's: cos^2 of the angle to the wind.
-    pub has_own_direction: bool,
+    pub has_own_spreading: bool,
     /// Buoy data, if this is a measured spectrum, otherwise `None`.
     pub measured: Option<Arc<MeasuredSpectrum>>,
     /// Whether the wave system has no waves at all, for example because it has no wind.
@@ -52,27 +52,27 @@ pub struct FrequencySpectrum {
     /// Notice for the user about this spectrum, for example that the fetch is too long; `None` without one.
     pub notice: Option<String>,
     /// Dimensionless factor on the variance density `shape`, which sets the wave height: 1 for the family's own height.
-    pub(super) factor: f64,
+    pub(super) variance_factor: f64,
     /// Length l (m) of the short-wave fade, the factor exp(-(k l)^2) on the density, and the dispersion relation that
     /// gives the wave number k; `None` without a fade.
-    pub(super) fade: Option<(f64, Dispersion)>,
+    pub(super) short_wave_fade: Option<(f64, Dispersion)>,
 }
 
 impl FrequencySpectrum {
     /// Makes a smooth spectrum with one peak at `omega_p` (rad/s). `shape` is S(omega), m^2 s, for omega > 0.
     pub fn new(omega_p: f64, shape: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
         Self {
-            shape: Arc::new(shape),
+            unscaled_density: Arc::new(shape),
             omega_p,
             omega_min: 0.3 * omega_p,
-            breakpoints: [0.8, 0.93, 1.0, 1.15, 1.5, 3.0].map(|r| r * omega_p).to_vec(),
-            discontinuity: None,
-            has_own_direction: false,
+            integration_breakpoints_rad_s: [0.8, 0.93, 1.0, 1.15, 1.5, 3.0].map(|r| r * omega_p).to_vec(),
+            discontinuity_rad_s: None,
+            has_own_spreading: false,
             measured: None,
             is_calm: false,
             notice: None,
-            factor: 1.0,
-            fade: None,
+            variance_factor: 1.0,
+            short_wave_fade: None,
         }
     }
 
@@ -84,17 +84,20 @@ impl FrequencySpectrum {
     /// Makes a double-peaked spectrum, whose density is the sum of the densities of two spectra with one peak each.
     /// Both must have the `factor` 1 and no fade.
     pub fn sum([a, b]: [Self; 2]) -> Self {
-        let (omega_min, breakpoints) = (a.omega_min.min(b.omega_min), [&a.breakpoints[..], &b.breakpoints].concat());
+        let (omega_min, breakpoints) = (
+            a.omega_min.min(b.omega_min),
+            [&a.integration_breakpoints_rad_s[..], &b.integration_breakpoints_rad_s].concat(),
+        );
         let peaks = [a.omega_p, b.omega_p];
-        let shape = move |omega| (a.shape)(omega) + (b.shape)(omega);
+        let shape = move |omega| (a.unscaled_density)(omega) + (b.unscaled_density)(omega);
         let omega_p = if shape(peaks[0]) >= shape(peaks[1]) { peaks[0] } else { peaks[1] };
-        Self { omega_min, breakpoints, ..Self::new(omega_p, shape) }
+        Self { omega_min, integration_breakpoints_rad_s: breakpoints, ..Self::new(omega_p, shape) }
     }
 
     /// Returns the spectrum with its variance density multiplied by `factor`, the square of the factor on wave heights.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
-        self.factor *= factor;
+        self.variance_factor *= factor;
         self
     }
 
@@ -103,14 +106,16 @@ impl FrequencySpectrum {
         if omega <= 0.0 {
             return 0.0;
         }
-        let fade = self.fade.map_or(1.0, |(length_m, waves)| (-(length_m * waves.wave_number(omega)).powi(2)).exp());
-        self.factor * (self.shape)(omega) * fade
+        let fade = self
+            .short_wave_fade
+            .map_or(1.0, |(length_m, waves)| (-(length_m * waves.wave_number(omega)).powi(2)).exp());
+        self.variance_factor * (self.unscaled_density)(omega) * fade
     }
 
     /// Elevation variance m0, m^2: the integral of the spectrum over all frequencies.
     pub fn variance_m2(&self) -> f64 {
         let (low, high) = self.frequency_range();
-        let mut knots = self.breakpoints.clone();
+        let mut knots = self.integration_breakpoints_rad_s.clone();
         knots.retain(|&w| w > low && w < high);
         knots.extend([low, high]);
         knots.sort_by(f64::total_cmp);

@@ -12,14 +12,14 @@ pub fn spectrum(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
     let a = if set_a > 0.0 { set_a } else { PHILLIPS_ALPHA / (2.0 * PI) };
     // Value of k L at the peak of S(omega) in deep water.
     let peak_kl = 0.8f64.sqrt();
-    let length_m = match inputs.omega_p {
+    let length_m = match inputs.user_omega_p {
         Some(omega_p) => peak_kl / dispersion.wave_number(omega_p),
         None => inputs.wind_m_s * inputs.wind_m_s / inputs.gravity_m_s2,
     };
     let density_k = move |k: f64| PI * a * (-1.0 / (k * length_m).powi(2)).exp() / k.powi(3);
     let density = move |omega| dispersion.density_over_omega(density_k, omega);
     FrequencySpectrum {
-        has_own_direction: true,
+        has_own_spreading: true,
         ..FrequencySpectrum::new(dispersion.omega(peak_kl / length_m), density)
     }
 }

@@ -26,7 +26,7 @@ pub fn close(got: f64, want: f64, tolerance: f64) {
 /// Angular frequencies (rad/s) of both peaks of a double-peaked spectrum: the third of the six breakpoints of each
 /// peak.
 pub fn peaks(s: &FrequencySpectrum) -> [f64; 2] {
-    [2, 8].map(|i| s.breakpoints[i])
+    [2, 8].map(|i| s.integration_breakpoints_rad_s[i])
 }
 
 /// Leaves the sea as it is; for the argument `change` of [`at`].

@@ -1,8 +1,8 @@
 //! File formats of measured spectra: each has a module here, and [`Format::detect`] is the one place that recognises
 //! them.
 //!
-//! A new format needs a module with `recognises` and `read`, and a variant of [`Format`]. A binary format must be
-//! recognised by its first bytes before the files are decoded as text.
+//! A new format needs a module with a function that recognises it and `read`, and a variant of [`Format`]. A binary
+//! format must be recognised by its first bytes before the files are decoded as text.
 
 mod ndbc;
 mod table;
@@ -23,7 +23,7 @@ enum Format {
 impl Format {
     /// Recognises the format of a file by its content. Text without an NDBC header line counts as a table.
     fn detect(file: &TextFile<'_>) -> Self {
-        if ndbc::recognises(file) { Self::Ndbc } else { Self::Table }
+        if ndbc::is_ndbc_file(file) { Self::Ndbc } else { Self::Table }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Reads a table of frequency f, variance density S and, where they are known, wave direction and directional spread.
 
-use crate::files::measured::direction::{Direction, fill_missing};
+use crate::files::measured::direction::{DirectionalParameters, fill_missing_directions};
 use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum, SpectrumFile, checked_density, checked_frequency};
 use crate::files::measured::text::{MAX_COLUMNS, TextFile, display_number, parse_number, quoted_excerpt, trimmed_line};
 
@@ -19,7 +19,7 @@ struct Rows {
     /// Frequency in Hz and variance density in m^2/Hz of each row.
     bands: Vec<(f64, f64)>,
     /// Directional parameters of each row, None where it is missing; empty if the table has two columns.
-    directions: Vec<Option<Direction>>,
+    directions: Vec<Option<DirectionalParameters>>,
 }
 
 /// Reads a spectrum from one file that holds a table; more files are an error.
@@ -34,7 +34,8 @@ pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     }
     let mut notices = Vec::new();
     let Rows { bands, directions, .. } = rows;
-    let directions = if directions.is_empty() { None } else { fill_missing(&bands, &directions, &mut notices) };
+    let directions =
+        if directions.is_empty() { None } else { fill_missing_directions(&bands, &directions, &mut notices) };
     let spectrum = MeasuredSpectrum::new(&bands, directions.as_deref()).map_err(|what| file.file_error(what))?;
     Ok(SpectrumFile { spectrum, title: file.name.clone(), notices })
 }
@@ -90,7 +91,8 @@ impl Rows {
         if let [_, _, from, spread] = fields[..] {
             let from = optional("direction", from, [-360.0, 360.0])?;
             let spread = optional("spread", spread, [0.0, 180.0])?;
-            self.directions.push(from.zip(spread).map(|(from, spread)| Direction::from_spread(from, spread)));
+            self.directions
+                .push(from.zip(spread).map(|(from, spread)| DirectionalParameters::from_spread(from, spread)));
         }
         Ok(())
     }

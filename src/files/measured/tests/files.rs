@@ -1,6 +1,6 @@
 //! Tests of files that are read as measured spectra.
 
-use super::super::Direction;
+use super::super::DirectionalParameters;
 use super::{BANDS, SPEC, message, read, realtime_set, sea, title};
 
 #[test]
@@ -8,7 +8,7 @@ fn realtime_files_make_one_sea() {
     let mut files = realtime_set();
     let whole = sea(&files);
     assert_eq!(whole.bands(), [(0.05, 0.5), (0.1, 2.0), (0.2, 0.3)]);
-    let last = Direction { alpha1_deg: 99.0, alpha2_deg: 100.0, r1: 0.7, r2: 0.3 };
+    let last = DirectionalParameters { alpha1_deg: 99.0, alpha2_deg: 100.0, r1: 0.7, r2: 0.3 };
     assert_eq!(whole.directions().map(|d| d[2]), Some(last), "99 degrees are a direction");
     assert_eq!(title(&files), "44025.data_spec, 2026-11-21 06:00 UTC");
 
@@ -46,7 +46,7 @@ fn incomplete_directions_are_left_out_with_a_notice() {
     // One band of three is enough: its direction fills all bands.
     few[2].1 = realtime_set()[2].1.clone();
     let got = sea(&few);
-    let last = Direction { alpha1_deg: 99.0, alpha2_deg: 100.0, r1: 0.7, r2: 0.3 };
+    let last = DirectionalParameters { alpha1_deg: 99.0, alpha2_deg: 100.0, r1: 0.7, r2: 0.3 };
     assert_eq!(got.directions(), Some([last; 3].as_slice()));
 }
 
@@ -79,7 +79,7 @@ fn archive_files_are_known_by_their_names() {
     ];
     let got = sea(&files);
     assert_eq!(got.bands(), [(0.05, 0.5), (0.1, 2.0), (0.2, 0.3)]);
-    let second = Direction { alpha1_deg: 250.0, alpha2_deg: 251.0, r1: 0.9, r2: 0.6 };
+    let second = DirectionalParameters { alpha1_deg: 250.0, alpha2_deg: 251.0, r1: 0.9, r2: 0.6 };
     assert_eq!(got.directions().map(|d| (d[1], d[2])), Some((second, second)));
 
     // Values of r1 and r2 that are not in hundredths are kept. A comment has precedence over the file name.
@@ -114,7 +114,7 @@ fn archive_bands_meet_realtime_bands() {
     };
     let directional = [("alpha1_1", "9"), ("alpha2_1", "9"), ("r1_1", "0."), ("r2_1", "0.")].map(|(c, v)| row(c, v));
     let got = sea(&[("44025w2026.txt", density), ("44025.all", &directional.concat())]);
-    let third = Direction { alpha1_deg: 93.0, alpha2_deg: 93.0, r1: 0.3, r2: 0.3 };
+    let third = DirectionalParameters { alpha1_deg: 93.0, alpha2_deg: 93.0, r1: 0.3, r2: 0.3 };
     assert_eq!(got.directions().map(|d| d[2]), Some(third));
 }
 
@@ -136,8 +136,8 @@ fn tables_are_read_in_every_dress() {
     let full = format!("f,S,direction,spread\n{}", rows.replace('W', &spread.to_string()));
     let got = sea(&[("buoy.csv", &full)]);
     // The spread gives r1 = 0.8, so s = 4 and r2 = 4 x 3 / (5 x 6) = 0.4.
-    let west = Direction { alpha1_deg: 270.0, alpha2_deg: 270.0, r1: 0.8, r2: 0.4 };
-    let north = Direction { alpha1_deg: 10.0, alpha2_deg: 10.0, ..west };
+    let west = DirectionalParameters { alpha1_deg: 270.0, alpha2_deg: 270.0, r1: 0.8, r2: 0.4 };
+    let north = DirectionalParameters { alpha1_deg: 10.0, alpha2_deg: 10.0, ..west };
     assert_eq!(got.directions(), Some([west, west, north, north].as_slice()));
     let (got, notices) = read(&[("b", "0.1,1,,\n0.2,1,MM,MM\n0.3,1,9,9\n0.4,1,NaN,9\n")]).expect("a sea");
     assert!(got.directions().is_none());

@@ -1,6 +1,6 @@
 //! Tests of measured spectra as text in links.
 
-use super::super::{Direction, MAX_BANDS, MAX_TEXT_BYTES, MIN_BANDS, MeasuredSpectrum};
+use super::super::{DirectionalParameters, MAX_BANDS, MAX_TEXT_BYTES, MIN_BANDS, MeasuredSpectrum};
 use super::samples::TWO_SYSTEMS;
 use super::{Lcg, check, read, sea};
 
@@ -12,8 +12,8 @@ fn states_come_back_bit_for_bit() {
         let bands: Vec<(f64, f64)> = (1..=n)
             .map(|i| (2.0 * i as f64 / n as f64, 10f64.powf(16.0 * random.unit() - 11.1).min(99_994.0)))
             .collect();
-        let directions: Vec<Direction> = (0..n)
-            .map(|_| Direction {
+        let directions: Vec<DirectionalParameters> = (0..n)
+            .map(|_| DirectionalParameters {
                 alpha1_deg: 2000.0 * random.unit() - 1000.0,
                 alpha2_deg: 360.0 * random.unit() - 0.02,
                 r1: 1.2 * random.unit() - 0.1,
@@ -39,7 +39,7 @@ fn a_buoys_sea_fits_in_a_link() {
     let (sea, _) = read(&[("two-systems.txt", TWO_SYSTEMS)]).expect("a sample");
     assert!(sea.to_state().len() < 1400, "{}", sea.to_state().len());
     // The longest spectrum: all its numbers have all their digits.
-    let worst = Direction { alpha1_deg: 123.4, alpha2_deg: 234.5, r1: 0.123, r2: 0.456 };
+    let worst = DirectionalParameters { alpha1_deg: 123.4, alpha2_deg: 234.5, r1: 0.123, r2: 0.456 };
     let densities = [0.1234, 1.234, 12.34].into_iter().cycle();
     let bands: Vec<_> = sea.bands().iter().map(|b| b.0).zip(densities).collect();
     let sea = MeasuredSpectrum::new(&bands, Some(&[worst; 47])).expect("a sea");

@@ -6,7 +6,7 @@ mod physics;
 mod refusals;
 mod samples;
 
-use super::{MAX_TEXT_BYTES, MaximumEntropy, MeasuredSpectrum, SpectrumFile};
+use super::{MAX_TEXT_BYTES, MaximumEntropyDistribution, MeasuredSpectrum, SpectrumFile};
 
 /// Knuth's linear congruential generator, for repeatable tests.
 pub(super) struct Lcg(pub u64);
@@ -79,14 +79,14 @@ fn check(sea: &MeasuredSpectrum) {
     let again = MeasuredSpectrum::from_state(&state).unwrap_or_else(|e| panic!("{e}: {state}"));
     assert_eq!(&again, sea, "{state}");
     assert_eq!(again.to_state(), state);
-    let knots = sea.breakpoints();
+    let knots = sea.density_kinks_rad_s();
     assert!(0.0 < sea.lowest_omega() && sea.lowest_omega() < sea.omega_p() && sea.omega_p() <= knots[knots.len() - 1]);
     assert!(sea.variance_m2() > 0.0 && sea.hs_m().is_finite());
     assert!(knots.windows(2).all(|w| w[0] < w[1]));
     for omega in knots.iter().flat_map(|w| [0.9 * w, *w, 1.1 * w]).chain([0.0, -1.0, 1e9]) {
         assert!(sea.density(omega) >= 0.0 && sea.density(omega).is_finite());
-        if let Some(moments) = sea.moments(omega) {
-            let d = MaximumEntropy::new(moments).density(1.0);
+        if let Some(moments) = sea.directional_moments(omega) {
+            let d = MaximumEntropyDistribution::new(moments).density(1.0);
             assert!(d > 0.0 && d.is_finite());
         }
     }

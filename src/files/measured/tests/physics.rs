@@ -1,16 +1,16 @@
 //! Tests of variance densities, wave heights, peak frequencies and directions of measured spectra.
 
-use super::super::{Direction, MaximumEntropy, MeasuredSpectrum};
+use super::super::{DirectionalParameters, MaximumEntropyDistribution, MeasuredSpectrum};
 use super::samples::JONSWAP;
 use super::{read, sea};
 use std::f64::consts::TAU;
 
 #[test]
 fn a_broad_lobe_has_its_principal_direction_across() {
-    let d = Direction::from_spread(30.0, (2.0 * (1.0 - 1.0 / 3.0_f64)).sqrt().to_degrees());
+    let d = DirectionalParameters::from_spread(30.0, (2.0 * (1.0 - 1.0 / 3.0_f64)).sqrt().to_degrees());
     // With r1 = 1/3, s = 1/2 and r2 = 0.5 x (-0.5) / (1.5 x 2.5) = -1/15.
     assert!((d.r1 - 1.0 / 3.0).abs() < 1e-12 && (d.r2 - 1.0 / 15.0).abs() < 1e-12 && d.alpha2_deg == 120.0, "{d:?}");
-    assert_eq!(Direction::from_spread(30.0, 100.0).r1, 0.0);
+    assert_eq!(DirectionalParameters::from_spread(30.0, 100.0).r1, 0.0);
 }
 
 /// Integral of `f` from the first to the last of `knots`, by the midpoint rule in each interval between them.
@@ -27,7 +27,7 @@ fn integral(f: impl Fn(f64) -> f64, knots: &[f64]) -> f64 {
 fn the_density_integrates_to_the_variances() {
     for text in [JONSWAP, "0.1,1\n0.15,3\n0.3,2\n", "0.1,0.5\n0.4,3\n0.5,0.2\n"] {
         let sea = read(&[("b.csv", text)]).expect("a sea").0;
-        let mut knots = sea.breakpoints();
+        let mut knots = sea.density_kinks_rad_s();
         let low = sea.lowest_omega();
         assert!((knots[0] - low).abs() < 1e-9 || knots[0] > low);
         knots.insert(0, 0.0);
@@ -66,9 +66,9 @@ fn the_peak_is_a_parabolas() {
 #[test]
 fn moments_point_where_the_waves_go() {
     let of = |from: f64, f: f64| {
-        let d = Direction { alpha1_deg: from, alpha2_deg: from, r1: 0.5, r2: 0.25 };
+        let d = DirectionalParameters { alpha1_deg: from, alpha2_deg: from, r1: 0.5, r2: 0.25 };
         let sea = MeasuredSpectrum::new(&[(0.1, 1.0), (0.2, 1.0), (0.3, 1.0)], Some(&[d, d, d])).expect("a sea");
-        sea.moments(TAU * f).expect("directions")
+        sea.directional_moments(TAU * f).expect("directions")
     };
     // Waves from the west travel along +x, waves from the north along +z, at any frequency.
     for (from, want) in [
@@ -82,18 +82,18 @@ fn moments_point_where_the_waves_go() {
         }
     }
     // The moments are linear between bands, so the mean of 350 and 10 degrees is 0, not 180.
-    let side = |from: f64| Direction { alpha1_deg: from, alpha2_deg: from, r1: 1.0, r2: 1.0 };
+    let side = |from: f64| DirectionalParameters { alpha1_deg: from, alpha2_deg: from, r1: 1.0, r2: 1.0 };
     let bands = [(0.1, 1.0), (0.2, 1.0), (0.3, 1.0)];
     let sea = MeasuredSpectrum::new(&bands, Some(&[side(350.0), side(10.0), side(10.0)])).expect("a sea");
-    let [x, z, ..] = sea.moments(TAU * 0.15).expect("directions");
+    let [x, z, ..] = sea.directional_moments(TAU * 0.15).expect("directions");
     assert!(x.abs() < 1e-12 && (z - 10f64.to_radians().cos()).abs() < 1e-12);
 }
 
 #[test]
 fn the_distribution_has_the_buoys_moments() {
-    let d = Direction { alpha1_deg: 240.0, alpha2_deg: 250.0, r1: 0.8, r2: 0.5 };
+    let d = DirectionalParameters { alpha1_deg: 240.0, alpha2_deg: 250.0, r1: 0.8, r2: 0.5 };
     let sea = MeasuredSpectrum::new(&[(0.1, 1.0), (0.2, 1.0), (0.3, 1.0)], Some(&[d, d, d])).expect("a sea");
-    let mem = MaximumEntropy::new(sea.moments(1.0).expect("directions"));
+    let mem = MaximumEntropyDistribution::new(sea.directional_moments(1.0).expect("directions"));
     // Means over the direction A waves come from: r1 = <cos(A - alpha1)>, r2 = <cos 2 (A - alpha2)>; sines have mean 0.
     let n = 4096;
     let mut sums = [0.0; 4];

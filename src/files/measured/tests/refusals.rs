@@ -1,6 +1,6 @@
 //! Tests of files that are refused as measured spectra, and of the error messages.
 
-use super::super::{Direction, MAX_FILE_BYTES, MeasuredSpectrum};
+use super::super::{DirectionalParameters, MAX_FILE_BYTES, MeasuredSpectrum};
 use super::samples::{JONSWAP, PIERSON_MOSKOWITZ, TWO_SYSTEMS};
 use super::{BANDS, Lcg, SPEC, check, message, read, realtime_set, sea};
 
@@ -111,7 +111,7 @@ fn impossible_directions_are_refused_and_large_moments_bounded() {
     files[1].1 = files[1].1.replace("240.0", "360.0");
     files[3].1 = files[3].1.replace("0.80", "1.20");
     let d = sea(&files).directions().map(|d| d[0]);
-    assert_eq!(d, Some(Direction { alpha1_deg: 0.0, alpha2_deg: 241.0, r1: 1.0, r2: 0.4 }));
+    assert_eq!(d, Some(DirectionalParameters { alpha1_deg: 0.0, alpha2_deg: 241.0, r1: 1.0, r2: 0.4 }));
 }
 
 #[test]

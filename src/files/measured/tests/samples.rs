@@ -1,6 +1,6 @@
 //! The sample files in `assets/spectra`, compared with the same files made from known spectra.
 
-use super::super::{Direction, MeasuredSpectrum};
+use super::super::{DirectionalParameters, MeasuredSpectrum};
 use super::{sea, title};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -57,7 +57,7 @@ fn jonswap() -> String {
 }
 
 /// A narrow swell and a broad wind sea: their variance density, and the directional parameters of their sum.
-fn mix(f: f64) -> (f64, Direction) {
+fn mix(f: f64) -> (f64, DirectionalParameters) {
     // Hs, Tp, from, s of cos^2s.
     let (mut sum, mut total) = ([0.0; 4], 0.0);
     for (hs, tp, from, s) in [(2.0, 13.0, 290_f64, 30.0), (1.2, 5.0, 200.0, 4.0)] {
@@ -71,7 +71,7 @@ fn mix(f: f64) -> (f64, Direction) {
     let [a, b, c, d] = sum.map(|v| v / total);
     let degrees = |v: f64| v.to_degrees().rem_euclid(360.0);
     let (alpha1_deg, alpha2_deg) = (degrees(b.atan2(a)), degrees(0.5 * d.atan2(c)));
-    (total, Direction { alpha1_deg, alpha2_deg, r1: a.hypot(b), r2: c.hypot(d) })
+    (total, DirectionalParameters { alpha1_deg, alpha2_deg, r1: a.hypot(b), r2: c.hypot(d) })
 }
 
 /// Archive file with five sections of one record each: moments in hundredths, no direction where the density is 0.

@@ -8,13 +8,13 @@ use crate::files::panorama::sky_image::SkyImage;
 const MAX_HEADER_BYTES: usize = 64 * 1024;
 /// Image widths, pixels, for which a row may be run-length encoded channel by channel (red, green, blue, exponent); in
 /// rows of other widths only whole pixels can be repeated.
-const CHANNEL_RUN_WIDTHS: std::ops::Range<usize> = 8..0x8000;
+const CHANNEL_RLE_WIDTHS_PX: std::ops::Range<usize> = 8..0x8000;
 
 const UNENDED_HEADER_MESSAGE: &str = "its header does not end: save it again";
 const RUN_OVERFLOW_MESSAGE: &str = "a run of pixels does not fit its row: save it again";
 
 /// Whether a file begins with the signature of a Radiance file.
-pub(super) fn recognises(bytes: &[u8]) -> bool {
+pub(super) fn is_radiance_file(bytes: &[u8]) -> bool {
     bytes.starts_with(b"#?RADIANCE") || bytes.starts_with(b"#?RGBE")
 }
 
@@ -78,13 +78,13 @@ fn read_header(rest: &mut &[u8]) -> Result<(usize, usize), String> {
 
 fn read_row(rest: &mut &[u8], row: &mut [[u8; 4]]) -> Result<(), String> {
     let first = take_pixel(rest)?;
-    if CHANNEL_RUN_WIDTHS.contains(&row.len()) && first[0] == 2 && first[1] == 2 && first[2] < 128 {
+    if CHANNEL_RLE_WIDTHS_PX.contains(&row.len()) && first[0] == 2 && first[1] == 2 && first[2] < 128 {
         if usize::from(first[2]) << 8 | usize::from(first[3]) != row.len() {
             return Err("the length of a row differs from the width of the image: save it again".to_owned());
         }
         return (0..4).try_for_each(|channel| read_channel(rest, row, channel));
     }
-    read_pixels(rest, first, row)
+    read_row_in_old_encoding(rest, first, row)
 }
 
 /// Reads one channel (0 red, 1 green, 2 blue, 3 exponent) of a run-length encoded row from `rest`, the unread file,
@@ -111,7 +111,7 @@ fn read_channel(rest: &mut &[u8], row: &mut [[u8; 4]], channel: usize) -> Result
 
 /// Reads a row of RGBE pixels in the old encoding, from `first`, its first pixel, on: a pixel (1, 1, 1, n) stands for n
 /// repetitions of the pixel before it, times 256 for each such pixel directly before this one.
-fn read_pixels(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
+fn read_row_in_old_encoding(rest: &mut &[u8], first: [u8; 4], row: &mut [[u8; 4]]) -> Result<(), String> {
     let (mut at, mut shift) = (0_usize, 0);
     let mut next = first;
     loop {

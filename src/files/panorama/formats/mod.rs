@@ -13,7 +13,10 @@ use limits::MAX_IMAGE_SIZE;
 /// Whether a file is a sky image (.hdr or .exr), by its first bytes or by its name.
 pub fn is_sky_file(name: &str, bytes: &[u8]) -> bool {
     let lower = name.to_lowercase();
-    hdr::recognises(bytes) || openexr::recognises(bytes) || lower.ends_with(".hdr") || lower.ends_with(".exr")
+    hdr::is_radiance_file(bytes)
+        || openexr::is_openexr_file(bytes)
+        || lower.ends_with(".hdr")
+        || lower.ends_with(".exr")
 }
 
 /// Reads the contents of a sky image file (.hdr or .exr). Too many columns or rows are an error.
@@ -35,9 +38,9 @@ pub fn read_with_max_size(name: &str, bytes: &[u8], max_size: [usize; 2]) -> Res
 fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, String> {
     if bytes.len() > MAX_BYTES {
         Err(format!("the file is larger than {} MiB: save it with fewer pixels", MAX_BYTES >> 20))
-    } else if hdr::recognises(bytes) {
+    } else if hdr::is_radiance_file(bytes) {
         hdr::decode(bytes, max_size)
-    } else if openexr::recognises(bytes) {
+    } else if openexr::is_openexr_file(bytes) {
         openexr::decode(bytes, max_size)
     } else {
         Err("neither a Radiance .hdr nor an OpenEXR file: save it as one of these".to_owned())

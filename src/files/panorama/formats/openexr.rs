@@ -16,7 +16,7 @@ const MAX_BLOCK_BYTES: usize = 256 << 20;
 const MIN_PIXELS_FOR_PARALLEL: usize = 1 << 20;
 
 /// Whether a file begins with the magic number of OpenEXR.
-pub(super) fn recognises(bytes: &[u8]) -> bool {
+pub(super) fn is_openexr_file(bytes: &[u8]) -> bool {
     bytes.starts_with(&magic_number::BYTES)
 }
 

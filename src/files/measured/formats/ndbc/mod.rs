@@ -3,7 +3,7 @@
 
 mod sections;
 
-use crate::files::measured::direction::{Direction, fill_missing, nearest_entry};
+use crate::files::measured::direction::{DirectionalParameters, fill_missing_directions, nearest_entry};
 use crate::files::measured::spectrum::{MeasuredSpectrum, SpectrumFile};
 use crate::files::measured::text::{TextFile, printable_prefix, trimmed_line};
 use sections::{BandValue, MAX_RECORDS, Record, Section, SectionKind, column_names, read_sections};
@@ -16,7 +16,7 @@ const DIRECTIONAL_KINDS: [SectionKind; 4] =
     [SectionKind::Alpha1, SectionKind::Alpha2, SectionKind::R1, SectionKind::R2];
 
 /// Whether a file has a header line of the NDBC (US National Data Buoy Center).
-pub(super) fn recognises(file: &TextFile<'_>) -> bool {
+pub(super) fn is_ndbc_file(file: &TextFile<'_>) -> bool {
     file.text.lines().any(|line| column_names(trimmed_line(line)).is_some())
 }
 
@@ -31,7 +31,7 @@ pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
     let hundredths = sections.iter().any(Section::is_in_hundredths);
 
     let (section, record, bands) = newest_density(&sections, &mut notices)?;
-    let directions = directions(&sections, &record.time, &bands, hundredths, &mut notices)?;
+    let directions = read_directions_at_time(&sections, &record.time, &bands, hundredths, &mut notices)?;
     let spectrum = MeasuredSpectrum::new(&bands, directions.as_deref());
     let spectrum = spectrum.map_err(|what| section.file.line_error(record.line, what))?;
     let title = printable_prefix(&format!("{}, {}", section.file.name, record.time), 80);
@@ -56,7 +56,7 @@ fn assign_unknown_kind(sections: &mut [Section<'_>], notices: &mut Vec<String>) 
 
 /// Returns the record of a quantity (`kind`) at a time such as `2026-11-21 06:00 UTC`, after its section; None without
 /// one. A second such record is an error: it is from another buoy, or the kind of its file was guessed wrongly.
-fn record_at<'s, 'a>(
+fn find_record_at_time<'s, 'a>(
     sections: &'s [Section<'a>],
     kind: SectionKind,
     time: &str,
@@ -94,7 +94,7 @@ fn newest_density<'s, 'a>(
         let bands: Option<Vec<(f64, f64)>> =
             section.band_values(record)?.into_iter().map(|(f, v)| Some((f, v?))).collect();
         let Some(bands) = bands.filter(|b| b.iter().any(|b| b.1 != 0.0)) else { continue };
-        record_at(sections, SectionKind::Density, &record.time)?;
+        find_record_at_time(sections, SectionKind::Density, &record.time)?;
         let time = &record.time;
         if newest != time {
             let what = format!("the newest record ({newest}) has no complete variance density: {time} is used");
@@ -107,19 +107,19 @@ fn newest_density<'s, 'a>(
 
 /// Directional parameters of each of `bands` (the variance density) at a given time. Returns None if one of the four
 /// parameters has no record at this time, or too few bands have all four.
-fn directions(
+fn read_directions_at_time(
     sections: &[Section<'_>],
     time: &str,
     bands: &[(f64, f64)],
     hundredths: bool,
     notices: &mut Vec<String>,
-) -> Result<Option<Vec<Direction>>, String> {
+) -> Result<Option<Vec<DirectionalParameters>>, String> {
     if sections.iter().all(|s| s.kind == Some(SectionKind::Density)) {
         return Ok(None);
     }
     let (mut parameters, mut missing) = (Vec::new(), Vec::new());
     for kind in DIRECTIONAL_KINDS {
-        match record_at(sections, kind, time)? {
+        match find_record_at_time(sections, kind, time)? {
             Some((section, record)) => parameters.push(section.directional_values(record, hundredths)?),
             None => missing.push(kind.name()),
         }
@@ -132,8 +132,13 @@ fn directions(
     let in_band = |&(f, _): &(f64, f64)| {
         let value =
             |values: &[BandValue]| nearest_entry(values, f).filter(|v| (v.0 - f).abs() <= SAME_BAND_TOLERANCE_HZ)?.1;
-        Some(Direction { alpha1_deg: value(alpha1)?, alpha2_deg: value(alpha2)?, r1: value(r1)?, r2: value(r2)? })
+        Some(DirectionalParameters {
+            alpha1_deg: value(alpha1)?,
+            alpha2_deg: value(alpha2)?,
+            r1: value(r1)?,
+            r2: value(r2)?,
+        })
     };
     let directions: Vec<_> = bands.iter().map(in_band).collect();
-    Ok(fill_missing(bands, &directions, notices))
+    Ok(fill_missing_directions(bands, &directions, notices))
 }
