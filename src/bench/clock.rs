@@ -22,8 +22,8 @@ pub struct Timing {
     /// 10th percentile, median and 90th percentile over the submissions of the wall time from the start of recording to
     /// completion on the GPU, divided by the repetitions of the work in a submission, ms.
     pub wall_percentiles_ms: [f64; 3],
-    /// CPU time of all threads of the process together for doing the work once, ms: the smallest of all submissions.
-    /// `None` where the system does not tell.
+    /// CPU time of all threads of the process for one repetition of the measured work, ms: the smallest over the
+    /// submissions. `None` where the system does not tell.
     pub cpu_ms: Option<f64>,
 }
 

@@ -67,7 +67,7 @@ impl StagewiseFft {
             };
             let uniform = uniform_buffer(gpu, bytemuck::bytes_of(&values));
             let fields: [[wgpu::TextureView; 2]; COMPLEX_FIELDS_PER_CASCADE] =
-                std::array::from_fn(|_| transform.field_textures(gpu));
+                std::array::from_fn(|_| transform.create_field_texture_pair(gpu));
             let mut bound =
                 vec![uniform.as_entire_binding(), maps.h0.as_entire_binding(), maps.wave_table.as_entire_binding()];
             bound.extend(fields.iter().map(|pair| wgpu::BindingResource::TextureView(&pair[0])));
@@ -131,7 +131,7 @@ impl FieldFft {
     }
 
     /// Creates the two n x n textures of a complex field. Each FFT stage reads one and writes the other.
-    fn field_textures(&self, gpu: &Gpu) -> [wgpu::TextureView; 2] {
+    fn create_field_texture_pair(&self, gpu: &Gpu) -> [wgpu::TextureView; 2] {
         std::array::from_fn(|_| {
             storage_texture(gpu, "field", self.n, wgpu::TextureFormat::Rg32Float)
                 .create_view(&wgpu::TextureViewDescriptor::default())

@@ -7,7 +7,7 @@ mod info;
 
 use crate::bench::BenchOptions;
 use crate::gpu::{Gpu, device};
-use crate::lab::reference::Sampling;
+use crate::lab::reference::SamplingSettings;
 use crate::lab::render::PictureSequence;
 use crate::lab::{check, export, gallery, parameters, render, stats, validate};
 use crate::ocean::device_info::DeviceInfo;
@@ -54,7 +54,8 @@ fn run(cli: Cli) -> Result<i32, String> {
             block_on(render::write_sequence(&gpu()?, &read_sea_params(&args)?, size, &sequence, &output))?
         }
         Some(Command::Render { sea: args, size, output, reference, samples, reference_seed, .. }) => {
-            let sampling = reference.then_some(Sampling { min_samples_per_pixel: samples, seed: reference_seed });
+            let sampling =
+                reference.then_some(SamplingSettings { min_samples_per_pixel: samples, seed: reference_seed });
             let params = read_sea_params(&args)?;
             block_on(render::write_picture(&gpu()?, &params, size, sampling, &output))?;
             return Ok(0);

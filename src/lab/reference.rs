@@ -11,14 +11,14 @@ const MAX_SAMPLES_PER_TARGET: u64 = 4_200_000;
 
 /// Number and positions of the samples in a reference picture, whose pixels are means of many unfiltered samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sampling {
+pub struct SamplingSettings {
     /// Minimum number of samples per pixel; the colour of a pixel is their mean.
     pub min_samples_per_pixel: u32,
     /// Seed of the sample positions within a pixel.
     pub seed: u32,
 }
 
-impl Sampling {
+impl SamplingSettings {
     /// Sample grids, rendered one after the other, that together give every pixel of a picture of `size` pixels at
     /// least `self.samples` samples. Each grid has at most `most` samples in total and at most `longest` along its
     /// width or height.
@@ -88,7 +88,7 @@ pub async fn reference_light(
     gpu: &Gpu,
     ocean: &mut Ocean,
     size: [u32; 2],
-    sampling: Sampling,
+    sampling: SamplingSettings,
 ) -> Result<Vec<[f32; 3]>, String> {
     let width = size[0] as usize;
     let mut sums = vec![PixelSum::default(); width * size[1] as usize];
@@ -118,7 +118,7 @@ pub async fn reference_picture(
     gpu: &Gpu,
     ocean: &mut Ocean,
     size: [u32; 2],
-    sampling: Sampling,
+    sampling: SamplingSettings,
 ) -> Result<Vec<u8>, String> {
     let light = reference_light(gpu, ocean, size, sampling).await?;
     expose_light(gpu, ocean, size, &light).await
@@ -142,7 +142,7 @@ mod tests {
     fn grids_hold_the_samples_that_were_asked_for() {
         for samples in [1, 3, 4, 64, 256, 1000] {
             for size in [[16, 9], [192, 108], [1280, 720], [8192, 8192]] {
-                let grids: Vec<SampleGrid> = Sampling { min_samples_per_pixel: samples, seed: 1 }
+                let grids: Vec<SampleGrid> = SamplingSettings { min_samples_per_pixel: samples, seed: 1 }
                     .sample_grids(size, MAX_SAMPLES_PER_TARGET, 8192)
                     .collect();
                 let count: u32 = grids.iter().map(|g| g.cells_per_pixel_side * g.cells_per_pixel_side).sum();
@@ -154,7 +154,7 @@ mod tests {
             }
         }
         let at = |seed| {
-            Sampling { min_samples_per_pixel: 8, seed }
+            SamplingSettings { min_samples_per_pixel: 8, seed }
                 .sample_grids([8192; 2], MAX_SAMPLES_PER_TARGET, 8192)
                 .map(|g| g.sample_position_in_cell)
                 .collect::<Vec<_>>()

@@ -1,7 +1,7 @@
 //! `seastate render`: writes a picture as PNG, a sequence of pictures, and layers for compositing software.
 
 use super::create_folder;
-use super::reference::{self, Sampling};
+use super::reference::{self, SamplingSettings};
 use crate::gpu::{Gpu, readback};
 use crate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture, present_and_read_back};
 use crate::ocean::{Ocean, OutputKind};
@@ -36,7 +36,7 @@ pub async fn write_picture(
     gpu: &Gpu,
     params: &Params,
     size: [u32; 2],
-    sampling: Option<Sampling>,
+    sampling: Option<SamplingSettings>,
     path: &Path,
 ) -> std::result::Result<(), String> {
     let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params);

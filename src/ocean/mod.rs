@@ -13,7 +13,7 @@ use crate::gpu::timer::Timer;
 use crate::point::floating::{HullPose, HullWaves, hull_pose};
 use crate::render::{FadingSea, ReferenceRenderer, Renderer, Scene, SeaAppearance};
 use crate::shaders::Shaders;
-use crate::sim::transition::{Interpolated, TransitionKind, TransitionStep};
+use crate::sim::transition::{Interpolated, TransitionFrameProgress, TransitionKind};
 use crate::sim::{MAX_FOAM_STEPS, MapCascade, Simulation};
 use crate::state::Params;
 use crate::state::camera::View;
@@ -112,7 +112,7 @@ impl Ocean {
         if change.is_some() || self.in_transition() {
             let plan = self.plan_for(params, change);
             self.sim.set_plan(&self.gpu, plan, &self.shaders);
-            self.apply_transition_step(params, &TransitionStep::IMMEDIATE);
+            self.apply_transition_step(params, &TransitionFrameProgress::IMMEDIATE);
         }
         self.store_params(params);
     }
@@ -150,7 +150,7 @@ impl Ocean {
         }
     }
 
-    fn apply_transition_step(&mut self, params: &Params, step: &TransitionStep) {
+    fn apply_transition_step(&mut self, params: &Params, step: &TransitionFrameProgress) {
         let plan = self.sim.plan();
         self.appearance.apply_transition_step(step, |goal| match step.started {
             Some(TransitionKind::Foam) => goal.clone(),

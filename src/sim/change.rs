@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::foam::FoamParameters;
 use super::planned_sea::SeaUniformSource;
-use super::transition::{TransitionKind, TransitionStep};
+use super::transition::{TransitionFrameProgress, TransitionKind};
 use crate::gpu::Gpu;
 use crate::shaders::Shaders;
 use crate::waves::overlap::SeaCovariance;
@@ -24,7 +24,7 @@ impl Simulation {
         }
         self.next = None;
         self.start_transition(gpu, plan, TransitionKind::Immediate, 0.0);
-        self.apply_transition_step(&TransitionStep::IMMEDIATE);
+        self.apply_transition_step(&TransitionFrameProgress::IMMEDIATE);
         self.foam.note_sea_change();
     }
 
@@ -42,14 +42,14 @@ impl Simulation {
         shaders: &Shaders,
         t_s: f64,
         dt_s: f64,
-    ) -> TransitionStep {
+    ) -> TransitionFrameProgress {
         let goal = plan.or_else(|| self.next.take_if(|_| self.fading.is_none()));
         let mut start = None;
         if let Some(plan) = goal {
             self.next = None;
             if (plan.n, plan.blends_copies) != (self.sea.plan.n, self.sea.plan.blends_copies) {
                 self.set_plan(gpu, plan, shaders);
-                return TransitionStep::IMMEDIATE;
+                return TransitionFrameProgress::IMMEDIATE;
             }
             start = self.needed_transition(&plan);
             if start == Some(TransitionKind::CrossFade) && self.fading.is_some() {
@@ -115,9 +115,9 @@ impl Simulation {
 
     /// Advances the transition by `dt_s` seconds of wall time; updates foam parameters and amplitude factors. Returns
     /// the progress in this frame, in which `started` is `start`: the kind of transition that just started, if any.
-    fn advance_transition(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionStep {
+    fn advance_transition(&mut self, start: Option<TransitionKind>, dt_s: f64) -> TransitionFrameProgress {
         let was_in_transition = self.transition.is_running();
-        let step = TransitionStep { started: start, ..self.transition.advance(dt_s) };
+        let step = TransitionFrameProgress { started: start, ..self.transition.advance(dt_s) };
         self.spectrum_blend = 1.0 - (1.0 - self.spectrum_blend) * (1.0 - step.amplitude_fraction);
         self.apply_transition_step(&step);
         if was_in_transition && !self.in_transition() {
@@ -128,7 +128,7 @@ impl Simulation {
 
     /// Applies one frame of a transition to the foam parameters and, in a cross-fade, to the amplitude factors of all
     /// drawn cascades. Drops the old sea if the cross-fade ends in this frame.
-    fn apply_transition_step(&mut self, step: &TransitionStep) {
+    fn apply_transition_step(&mut self, step: &TransitionFrameProgress) {
         if step.ends_cross_fade {
             self.fading = None;
             self.maps.end_cross_fade();

@@ -181,9 +181,9 @@ impl Simulation {
         Some(step)
     }
 
-    /// Records the passes that compute the maps at time `t_s`, s. They also write the current sea's maps, before
-    /// rounding, as f32 to the buffer `Resources::row_transforms`: for each cascade the displacement map, then the
-    /// gradient map.
+    /// Records the passes that compute the maps at time `t_s`, s. They also write the maps as f32, before these are
+    /// rounded to the half floats of the textures, to the buffer `Resources::row_transforms`: for each cascade the
+    /// displacement map, then the gradient map. In a cross-fade, only those of the new sea are written.
     pub fn encode_with_f32_maps(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.begin_submission(encoder, t_s);
         self.encode_waves(encoder, t_s, true);

@@ -29,7 +29,7 @@ pub enum TransitionKind {
 
 /// Progress that the running transitions make in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct TransitionStep {
+pub struct TransitionFrameProgress {
     /// Kind of transition that starts in this frame; None if none starts. The other fields tell the progress after the
     /// start.
     pub started: Option<TransitionKind>,
@@ -42,7 +42,7 @@ pub struct TransitionStep {
     pub ends_cross_fade: bool,
 }
 
-impl TransitionStep {
+impl TransitionFrameProgress {
     /// Progress of a frame in which a transition of the kind `Immediate` replaces the old sea by the new one at once.
     pub const IMMEDIATE: Self = Self {
         started: Some(TransitionKind::Immediate),
@@ -84,9 +84,9 @@ impl Transition {
     }
 
     /// Advances the running transitions by `dt_s` seconds of wall time; returns the progress, with `started` None.
-    pub fn advance(&mut self, dt_s: f64) -> TransitionStep {
+    pub fn advance(&mut self, dt_s: f64) -> TransitionFrameProgress {
         let elapsed = (dt_s / TRANSITION_DURATION_S).max(0.0);
-        let mut step = TransitionStep::default();
+        let mut step = TransitionFrameProgress::default();
         if let Some(Interpolation { progress: from, amplitudes }) = self.interpolation {
             let to = (from + elapsed).min(1.0);
             // The remaining difference shrinks with the cube of the remaining time. A goal that moves in every frame is
@@ -151,7 +151,7 @@ impl<T: Interpolate> Interpolated<T> {
 
     /// Applies the progress of one frame of a transition. If a transition starts in this frame, `goal` gets the
     /// previous goal and returns the new one.
-    pub fn apply_transition_step(&mut self, step: &TransitionStep, goal: impl FnOnce(&T) -> T) {
+    pub fn apply_transition_step(&mut self, step: &TransitionFrameProgress, goal: impl FnOnce(&T) -> T) {
         if let Some(kind) = step.started {
             self.goal = goal(&self.goal);
             match kind {
@@ -220,7 +220,7 @@ mod tests {
                 transition.start(TransitionKind::Amplitudes);
                 start = Some(TransitionKind::Amplitudes);
             }
-            let step = TransitionStep { started: start, ..transition.advance(1.0 / 60.0) };
+            let step = TransitionFrameProgress { started: start, ..transition.advance(1.0 / 60.0) };
             drawn.apply_transition_step(&step, |_| 2.1 + 0.1 * f64::from(i));
             let now = drawn.cross_faded_value(transition.cross_fade_weight());
             assert!(now >= before && now - before < 0.11, "{i}: {before} to {now}");
@@ -235,7 +235,7 @@ mod tests {
     fn a_fade_starts_and_ends_on_its_seas() {
         let (mut transition, mut drawn) = (Transition::default(), Interpolated::new(5.0));
         transition.start(TransitionKind::CrossFade);
-        let mut step = TransitionStep { started: Some(TransitionKind::CrossFade), ..transition.advance(0.0) };
+        let mut step = TransitionFrameProgress { started: Some(TransitionKind::CrossFade), ..transition.advance(0.0) };
         drawn.apply_transition_step(&step, |_| 7.0);
         assert_eq!(
             (drawn.cross_faded_value(transition.cross_fade_weight()), transition.cross_fade_weight()),

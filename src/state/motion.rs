@@ -12,7 +12,8 @@ const MAX_EYE_HEIGHT_M: f64 = 5000.0;
 /// Largest distance from the camera to the point that it orbits: this many times its height above the still water, plus
 /// [`MAX_PIVOT_OFFSET_M`].
 const MAX_PIVOT_DISTANCE_EYE_HEIGHTS: f64 = 12.0;
-/// Part of the largest distance to the orbited point that does not depend on the camera's height, m.
+/// Largest distance from a camera at the height 0 to the point that it orbits, m; higher cameras may be
+/// [`MAX_PIVOT_DISTANCE_EYE_HEIGHTS`] times their height further away.
 const MAX_PIVOT_OFFSET_M: f64 = 30.0;
 
 /// A named camera view of the sea, which a button of the panel selects.

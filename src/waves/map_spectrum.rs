@@ -12,7 +12,8 @@ pub struct MapSpectrum {
     pub bin_variances_m2: Vec<f64>,
 }
 
-/// Computes a [`MapSpectrum`] in small steps, so that the program can draw frames in between.
+/// Measures the spectrum of the sea in the GPU's height maps, as a [`MapSpectrum`], in small steps, so that the program
+/// can draw frames in between.
 #[derive(Clone, Debug)]
 pub struct MapSpectrumEstimator {
     fft: Fft,

@@ -118,7 +118,8 @@ impl PresentPass {
         self.uniform.write(gpu, &uniform);
     }
 
-    /// Records the compute passes that make the bloom of the picture that was set; none if bloom is off.
+    /// Records the compute passes that make the bloom of the picture last passed to `set_picture`; none if bloom is
+    /// off.
     pub fn record_bloom(&self, encoder: &mut wgpu::CommandEncoder) {
         self.bloom.run(encoder);
     }

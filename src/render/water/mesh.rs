@@ -61,7 +61,7 @@ impl Mesh {
         let rows = (DEFAULT_ROWS * scale).ceil() as u32;
         let (lift, shift) = (1.1 * sea.hs_m, 0.6 * sea.hs_m * sea.max_choppiness());
         let eye = view.eye.y.max(0.1);
-        let (lowest, widest) = visible_water_angles_rad(view);
+        let (lowest, widest) = lowest_elevation_and_largest_azimuth_rad(view);
 
         // Distances grow linearly with the row up to about `radius`, and exponentially beyond.
         let radius = (0.5 * (eye - lift)).max(0.04 * eye).max(0.25);
@@ -125,7 +125,7 @@ impl Mesh {
 
 /// Limits of the directions in the picture that may show water: lowest elevation (negative below the horizontal), and
 /// largest azimuth to either side of the picture's middle, both rad; (-pi/2, pi) if the point below the eye is visible.
-fn visible_water_angles_rad(view: &View) -> (f64, f64) {
+fn lowest_elevation_and_largest_azimuth_rad(view: &View) -> (f64, f64) {
     let down = -glam::DVec3::Y;
     let depth = down.dot(view.forward);
     let [tx, ty] = view.tan_half_fov.map(|t| 1.1 * t);

@@ -119,7 +119,8 @@ impl SkyLook {
 /// Sky image from a file. A state string carries only the name of the file.
 #[derive(Clone, Debug)]
 pub struct SkyFile {
-    /// File name without folders, at most 80 printable characters.
+    /// File name of the sky image that the user opened, without folders: at most 80 printable characters. It stands
+    /// in the state string, from which the image itself cannot be loaded.
     pub name: String,
     /// Decoded image; `None` until the file is loaded.
     pub image: Option<Arc<Panorama>>,

@@ -42,8 +42,8 @@ parameters! {
         bubble_colour: f64 = WHITE_RGB => ("bubblecolour", "Bubble colour", "", Colour),
         /// Density of the bubbles that breaking waves leave under the surface; 1 is a typical plume.
         bubble_density: f64 = 1.0 => ("bubbles", "Bubble density", "", number(0.0, 10.0)),
-        /// Factor on the light that shines through wave crests (height attenuation factor), most of all through high
-        /// and sharp ones; 1 is physical.
+        /// Brightness of the light that shines through wave crests, most of all through high and sharp ones; 1 is
+        /// physical.
         crest_transmission: f64 = 1.0 => ("heightscatter", "Scattering by height", "", number(0.0, 10.0)),
         /// How much the light scattered out of the water depends on the viewing angle (reflection strength of the
         /// scattering); 1 is physical, 0 is no dependence.
