@@ -7,7 +7,7 @@ mod common;
 use common::{gpu, params, random_params};
 use seastate::gpu::Gpu;
 use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, flip_errors, mean_error};
-use seastate::lab::reference::{self, Sampling};
+use seastate::lab::reference::{self, SamplingSettings};
 use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::state::{Params, query};
@@ -43,7 +43,7 @@ impl Viewer {
             &self.gpu,
             &mut self.ocean,
             self.size,
-            Sampling { min_samples_per_pixel: samples, seed },
+            SamplingSettings { min_samples_per_pixel: samples, seed },
         );
         pollster::block_on(made).expect("a reference")
     }
