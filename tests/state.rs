@@ -165,7 +165,7 @@ fn corners_of_every_range_give_a_finite_plan() {
                 let table = SpectrumTable::new(&plan, cascade);
                 let finite = table.term_vectors.iter().flatten().all(|v| v.is_finite() && (*v as f32).is_finite());
                 assert!(
-                    finite && table.waves.iter().all(|w| w.orbit_axis_ratio.is_finite()),
+                    finite && table.waves.iter().all(|w| w.orbit_width_over_height.is_finite()),
                     "{} = {corner}",
                     field.key
                 );

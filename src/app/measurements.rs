@@ -6,6 +6,7 @@ use crate::ocean::{MapStatistics, Ocean, PendingMapRead};
 use crate::waves::map_spectrum::{MapSpectrum, MapSpectrumEstimator};
 use std::cell::Cell;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use web_time::Instant;
 
 /// Least time between two read-backs of the wave maps, s.
 const READBACK_INTERVAL_S: f64 = 1.0;
@@ -43,6 +44,12 @@ struct FrameMeasurementState {
     wants_map_copies: Option<u64>,
     /// Serial number of a sea, and the copies of its wave maps that the last recorded frame makes for read-back.
     map_copies: Option<(u64, PendingMapRead)>,
+    /// Completions of frames on the GPU, for adapters without timestamps.
+    completions: Arc<Mutex<Completions>>,
+    /// Whether the GPU's timestamps have ever given a frame's time.
+    has_timestamps: bool,
+    /// Tag and GPU time, s, of a frame, until [`FrameMeasurements::take_gpu_time`] takes them.
+    gpu_time: Option<(u32, f64)>,
     /// Whether the last recorded frame was painted. A frame that is not painted is not submitted to the GPU, so its
     /// copies and times stay empty.
     is_painted: bool,
@@ -53,23 +60,31 @@ struct FrameMeasurementState {
     passes: Option<Vec<(&'static str, f64)>>,
 }
 
+/// When the GPU completed frames, from which follows how long it worked on each.
+#[derive(Default)]
+struct Completions {
+    /// When the GPU completed the last frame.
+    last: Option<Instant>,
+    /// Tag and GPU time, s, of the last completed frame, until they are taken.
+    gpu_time: Option<(u32, f64)>,
+}
+
 impl FrameMeasurements {
     fn lock(&self) -> MutexGuard<'_, FrameMeasurementState> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Starts to time a frame's GPU passes if the panel shows the times, and requests copies of the wave maps anew that
-    /// were lost because their frame was not submitted. Call this before the frame's commands are recorded.
-    pub fn begin_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder) {
+    /// Starts to time a frame on the GPU, and each of its passes if the panel shows their times. Requests copies of the
+    /// wave maps anew that were lost because their frame was not submitted. Call this before the frame's commands are
+    /// recorded. [`Self::take_gpu_time`] returns `tag` with the frame's time.
+    pub fn begin_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, tag: u32) {
         let mut inner = self.lock();
         let is_submitted = std::mem::take(&mut inner.is_painted);
         // Copies of a frame that was never submitted are empty, so they are requested again.
         if !is_submitted && let Some((sea, _)) = inner.map_copies.take() {
             inner.wants_map_copies = Some(sea);
         }
-        if inner.wants_times {
-            ocean.timer().begin_frame(encoder, is_submitted);
-        }
+        ocean.timer().begin_frame(encoder, is_submitted, inner.wants_times, tag);
     }
 
     /// Ends the timing of a frame's GPU passes, and stores the latest times and `record_s`, the CPU time of recording
@@ -83,11 +98,41 @@ impl FrameMeasurements {
         } else {
             record_s
         };
+        let timed = ocean.timer().take_frame_time();
+        inner.has_timestamps |= timed.is_some();
+        inner.gpu_time = timed.or_else(|| {
+            let completed = inner.completions.lock().unwrap_or_else(PoisonError::into_inner).gpu_time.take();
+            completed.filter(|_| !inner.has_timestamps)
+        });
         inner.passes = ocean.timer().is_available().then(|| ocean.timer().part_times_ms());
         if is_whole && let Some(sea) = inner.wants_map_copies {
             inner.map_copies = ocean.record_map_copies(encoder).map(|probe| (sea, probe));
             inner.wants_map_copies = inner.map_copies.is_none().then_some(sea);
         }
+    }
+
+    /// Where the GPU tells no timestamps, measures how long it works on the frame that `encoder` records: from its
+    /// submission, or the completion of the frame before it, to its completion. Natively a completion is noticed only
+    /// at the next submission, which tells nothing.
+    #[cfg_attr(not(target_arch = "wasm32"), expect(clippy::disallowed_methods, reason = "no browser runs this one"))]
+    pub fn watch_completion(&self, encoder: &wgpu::CommandEncoder, tag: u32) {
+        let inner = self.lock();
+        if inner.has_timestamps || cfg!(not(target_arch = "wasm32")) {
+            return;
+        }
+        let (completions, submitted) = (inner.completions.clone(), Instant::now());
+        encoder.on_submitted_work_done(move || {
+            let mut completions = completions.lock().unwrap_or_else(PoisonError::into_inner);
+            let begun = completions.last.map_or(submitted, |last| last.max(submitted));
+            let now = Instant::now();
+            completions.last = Some(now);
+            completions.gpu_time = Some((tag, now.duration_since(begun).as_secs_f64()));
+        });
+    }
+
+    /// Tag and GPU time, s, of the last frame whose time became known, once.
+    pub fn take_gpu_time(&self) -> Option<(u32, f64)> {
+        self.lock().gpu_time.take()
     }
 
     /// Notes that the recorded frame was painted, and so will be submitted to the GPU.

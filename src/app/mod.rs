@@ -5,6 +5,7 @@ mod camera;
 mod caption;
 mod derived;
 pub mod device_loss;
+mod governor;
 mod gpu_errors;
 mod history;
 pub mod keys;
@@ -36,6 +37,7 @@ use crate::state::{Params, floats, query, rounding};
 use crate::waves::SeaChange;
 use derived::DerivedSeaData;
 use gpu_errors::GpuErrors;
+use quality::FrameTimes;
 
 /// Upper limit of the wall-clock time by which one frame advances the clock, s. It prevents a jump of the simulated
 /// time after the window was in the background.
@@ -272,18 +274,27 @@ impl eframe::App for App {
         self.update_derived_sea_data();
         self.extend_height_record();
         self.advance_sea_measurement(&ctx);
-        if !self.progress.is_first_picture_pending() {
-            let dt = f64::from(ctx.input(|i| i.unstable_dt));
-            self.quality.adapt(dt, self.params.clock.paused, self.params.screen.adaptive);
+        let interval_s = f64::from(ctx.input(|i| i.unstable_dt));
+        if self.progress.is_first_picture_pending() {
+            self.quality.note_idle_frame(interval_s);
+        } else {
+            let times = FrameTimes {
+                interval_s,
+                gpu: self.frame_measurements.take_gpu_time(),
+                time_is_stopped: self.params.clock.paused,
+                has_extra_work: self.progress.is_replaying_foam_or_fading(),
+            };
+            self.quality.adapt(times, self.params.screen.adaptive);
         }
         let params = self.params_to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
+        let level = self.quality.level();
         let pixels = |points| self.quality.picture_size(points, ctx.pixels_per_point(), &params.screen, limit);
         // Clicks on the sea are sensed only while an object is to be placed: with them, egui would take a finger that
         // rests before it drags for a long press.
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
         let (response, size) =
-            viewport::show_sea(ui, &params, (&self.progress, &self.frame_measurements), sense, pixels);
+            viewport::show_sea(ui, &params, (&self.progress, &self.frame_measurements), sense, level, pixels);
         self.drawn = Some((params, size));
         self.place_floating_object(&response, &ctx);
         camera::apply_pointer_to_camera(&mut self.params.camera, &response, &ctx);

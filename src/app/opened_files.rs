@@ -3,7 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use super::tasks;
 use super::{App, tasks::Inbox};
-use crate::files::measured::{MAX_FILES, MeasuredSpectrum};
+use crate::files::measured::{MAX_FILES_PER_SPECTRUM, MeasuredSpectrum};
 use crate::files::{input, panorama, picture};
 use crate::state::look::SkyFile;
 use crate::state::presets;
@@ -61,8 +61,9 @@ impl App {
     /// calls this. A file that cannot be read changes only the notices.
     pub(super) fn take_opened_files(&mut self, ctx: &egui::Context) {
         let handles = ctx.input(|i| i.raw.dropped_files.clone());
-        if handles.len() > MAX_FILES {
-            self.notices = vec![format!("a buoy has at most {MAX_FILES} files: {} were dropped", handles.len())];
+        if handles.len() > MAX_FILES_PER_SPECTRUM {
+            self.notices =
+                vec![format!("a buoy has at most {MAX_FILES_PER_SPECTRUM} files: {} were dropped", handles.len())];
         } else if !handles.is_empty() {
             read_dropped_files(&self.dropped_files, &handles, ctx);
         }

@@ -11,9 +11,9 @@ use web_time::Instant;
 
 /// Number of foam time steps of the past that one frame computes after a start or a jump in time, because foam depends
 /// on earlier waves. It applies to FFT sizes from 256; smaller sizes allow more.
-const FOAM_STEPS_PER_FRAME: usize = 6;
+const MAX_FOAM_STEPS_PER_FRAME: usize = 6;
 /// Number of foam time steps of the past that one frame computes on a software adapter, for FFT sizes from 256.
-const SOFTWARE_ADAPTER_FOAM_STEPS_PER_FRAME: usize = 1;
+const SOFTWARE_ADAPTER_MAX_FOAM_STEPS_PER_FRAME: usize = 1;
 /// Upper limit of the wall-clock time by which one frame advances a cross-fade between two seas, s.
 const MAX_FADE_STEP_S: f64 = 0.1;
 
@@ -67,12 +67,14 @@ impl DrawingProgress {
 }
 
 /// Fills the rest of `ui` with the sea. `pixels` converts the size of that area in points to the picture's size in
-/// pixels. Returns egui's response of the area to pointer input of the kind `sense`, and the picture's size in pixels.
+/// pixels. `quality_level` comes back with the frame's GPU time. Returns egui's response of the area to pointer input
+/// of the kind `sense`, and the picture's size in pixels.
 pub fn show_sea(
     ui: &mut egui::Ui,
     params: &Params,
     (progress, measurements): (&DrawingProgress, &FrameMeasurements),
     sense: egui::Sense,
+    quality_level: u32,
     pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
 ) -> (egui::Response, [u32; 2]) {
     let response = egui::CentralPanel::default()
@@ -83,14 +85,14 @@ pub fn show_sea(
     if response.rect.is_positive() {
         let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(MAX_FADE_STEP_S);
         let (progress, measurements) = (progress.clone(), measurements.clone());
-        let frame = SeaFrame { params: params.clone(), size, progress, measurements, dt_s };
+        let frame = SeaFrame { params: params.clone(), size, progress, measurements, dt_s, tag: quality_level };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     (response, size)
 }
 
 fn foam_steps_per_frame(gpu: &Gpu, n: u32) -> usize {
-    let most = if gpu.is_software() { SOFTWARE_ADAPTER_FOAM_STEPS_PER_FRAME } else { FOAM_STEPS_PER_FRAME };
+    let most = if gpu.is_software() { SOFTWARE_ADAPTER_MAX_FOAM_STEPS_PER_FRAME } else { MAX_FOAM_STEPS_PER_FRAME };
     most * (256 / n).max(1).pow(2) as usize
 }
 
@@ -103,6 +105,8 @@ struct SeaFrame {
     measurements: FrameMeasurements,
     /// Wall-clock time since the last frame, at most [`MAX_FADE_STEP_S`], s. A cross-fade advances by it.
     dt_s: f64,
+    /// Tag of the frame's GPU time: its quality (see [`super::quality::AdaptiveQuality::level`]).
+    tag: u32,
 }
 
 impl egui_wgpu::CallbackTrait for SeaFrame {
@@ -122,12 +126,13 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         }
         let mut encoder = ocean.gpu().encoder("ocean");
         let begun = Instant::now();
-        self.measurements.begin_frame(ocean, &mut encoder);
+        self.measurements.begin_frame(ocean, &mut encoder, self.tag);
         ocean.transition_to(&self.params, self.dt_s);
         let most_steps = foam_steps_per_frame(ocean.gpu(), ocean.plan().n);
         let caught_up = ocean.record_frame(&mut encoder, self.size, most_steps);
         let is_whole = caught_up && !ocean.in_transition();
         self.measurements.end_frame(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
+        self.measurements.watch_completion(&encoder, self.tag);
         self.progress.0.catching_up.store(!is_whole, Ordering::Relaxed);
         vec![encoder.finish()]
     }

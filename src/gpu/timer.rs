@@ -32,8 +32,14 @@ struct TimerState {
     phase: TimerPhase,
     /// For each mark (end of a part of the frame), the name of that part; empty for mark 0, which starts the frame.
     parts: Vec<&'static str>,
+    /// Whether the parts of the frame in progress are timed, and not just the whole frame.
+    with_parts: bool,
+    /// Tag of the frame in progress, as its caller chose it.
+    tag: u32,
     /// Names of the parts of the last frame whose timestamps were read, and their smoothed GPU times, ms.
     times: Vec<(&'static str, f64)>,
+    /// Tag and GPU time, s, of the last frame whose timestamps were read, until somebody takes them.
+    frame_time: Option<(u32, f64)>,
 }
 
 #[derive(Debug)]
@@ -67,7 +73,10 @@ impl Timer {
             between_passes: gpu.device.features().contains(TIMESTAMPS_BETWEEN_PASSES_FEATURE),
             phase: TimerPhase::Idle,
             parts: Vec::new(),
+            with_parts: false,
+            tag: 0,
             times: Vec::new(),
+            frame_time: None,
         };
         Self(Some(Arc::new(Mutex::new(state))))
     }
@@ -79,7 +88,9 @@ impl Timer {
 
     /// Starts timing the frame that is recorded to `encoder`, unless the timestamps of an earlier frame are still
     /// awaited. If `is_submitted` is false, the previous frame was never submitted, and its timestamps are discarded.
-    pub fn begin_frame(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool) {
+    /// Only `with_parts` times the parts of the frame, too. [`Self::take_frame_time`] returns `tag` with the frame's
+    /// time.
+    pub fn begin_frame(&self, encoder: &mut wgpu::CommandEncoder, is_submitted: bool, with_parts: bool, tag: u32) {
         let Some(mut state) = self.lock_state() else { return };
         if !is_submitted && matches!(state.phase, TimerPhase::Recorded) {
             state.phase = TimerPhase::Idle;
@@ -87,6 +98,7 @@ impl Timer {
         state.collect_arrived_timestamps();
         if matches!(state.phase, TimerPhase::Idle) {
             state.phase = TimerPhase::Recording;
+            (state.with_parts, state.tag) = (with_parts, tag);
             state.parts.clear();
             state.write_mark(encoder, "");
         }
@@ -96,7 +108,7 @@ impl Timer {
     /// The times of parts with the same name are added.
     pub fn end_part(&self, encoder: &mut wgpu::CommandEncoder, part: &'static str) {
         let Some(mut state) = self.lock_state() else { return };
-        if matches!(state.phase, TimerPhase::Recording) {
+        if matches!(state.phase, TimerPhase::Recording) && state.with_parts {
             state.write_mark(encoder, part);
         }
     }
@@ -106,6 +118,9 @@ impl Timer {
         let Some(mut state) = self.lock_state() else { return };
         if !matches!(state.phase, TimerPhase::Recording) {
             return;
+        }
+        if !state.with_parts {
+            state.write_mark(encoder, "frame");
         }
         let marks = state.first_query_index(state.parts.len());
         if marks > MAX_TIMESTAMPS {
@@ -122,6 +137,12 @@ impl Timer {
     /// smoothed over the frames that contain the part. Empty if the device has no timestamps.
     pub fn part_times_ms(&self) -> Vec<(&'static str, f64)> {
         self.lock_state().map_or_else(Vec::new, |state| state.times.clone())
+    }
+
+    /// The tag given to [`Self::begin_frame`] and the GPU time, s, of the last frame whose timestamps have arrived.
+    /// Returns each frame once. `None` also where the GPU's timestamps are all zero, as those of empty passes on Metal.
+    pub fn take_frame_time(&self) -> Option<(u32, f64)> {
+        self.lock_state()?.frame_time.take()
     }
 
     fn lock_state(&self) -> Option<MutexGuard<'_, TimerState>> {
@@ -191,6 +212,12 @@ impl TimerState {
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&bytes);
         drop(bytes);
         let stamp = |mark: usize| stamps.get(self.first_query_index(mark) as usize).copied().unwrap_or(0);
+        let frame_units = stamp(self.parts.len().saturating_sub(1)).saturating_sub(stamp(0));
+        let frame_time = (frame_units > 0).then_some((self.tag, 1e-9 * self.period_ns * frame_units as f64));
+        if !self.with_parts {
+            self.frame_time = frame_time;
+            return;
+        }
         let mut frame: Vec<(&'static str, f64)> = Vec::new();
         for (mark, part) in self.parts.iter().enumerate().skip(1) {
             // A timestamp that was not written, or a clock that ran backwards, counts as no time.
@@ -201,6 +228,7 @@ impl TimerState {
                 None => frame.push((part, ms)),
             }
         }
+        self.frame_time = frame_time;
         let before = std::mem::take(&mut self.times);
         let smooth = |(name, ms): (&'static str, f64)| match before.iter().find(|(known, _)| *known == name) {
             Some((_, smooth)) => (name, smooth + GPU_TIME_SMOOTHING_WEIGHT * (ms - smooth)),

@@ -46,7 +46,7 @@ pub fn transform_rows(plan: &Plan, cascade: &Cascade, h0: &[Complex], t_s: f64) 
         if k == 0.0 {
             return [0.0; 4];
         }
-        let orbit = plan.wave_at_squared_index(cascade, (ix * ix + iz * iz) as u32).orbit_axis_ratio;
+        let orbit = plan.wave_at_squared_index(cascade, (ix * ix + iz * iz) as u32).orbit_width_over_height;
         // docs/sea.md, "Synthesis": D = i k/|k| coth(k depth) h, dDx/dz = -(kx kz/|k|) coth(k depth) h.
         let h = h[i];
         let pack = |f: Complex, g: Complex| add(f, times_i(g));

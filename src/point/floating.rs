@@ -12,7 +12,7 @@ const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
 /// Number of waves that make a hull pitch and roll: the strongest waves, which are mostly long.
 const TILT_WAVE_COUNT: usize = 500;
 /// FFT size to which a plan is reduced to select the waves that move hulls; a larger FFT only adds short waves.
-const MAX_FFT_SIZE: u32 = 128;
+const MAX_FFT_SIZE_FOR_FLOATING_OBJECTS: u32 = 128;
 
 /// Position and attitude of a floating hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +50,7 @@ pub struct HullWaves {
 impl HullWaves {
     /// Selects the strongest waves of a planned sea, from which the motions of floating hulls are computed.
     pub fn new(plan: &Plan) -> Self {
-        let plan = &plan.with_fft_size_at_most(MAX_FFT_SIZE);
+        let plan = &plan.with_fft_size_at_most(MAX_FFT_SIZE_FOR_FLOATING_OBJECTS);
         Self {
             heave_waves: StrongestWaves::for_height_error(plan, MAX_HEIGHT_ERROR_TO_HS * plan.hs_m()),
             tilt_waves: StrongestWaves::new(plan, TILT_WAVE_COUNT),

@@ -187,7 +187,7 @@ impl Resources {
         for table in SpectrumTable::for_all_cascades(plan) {
             values.extend(table.term_vectors.iter().map(|v| v.map(|x| x as f32)));
             // A table entry outside the cascade's band has no wave, and its wave number k is 0.
-            let slant = |w: &LatticeWave| if w.k > 0.0 { (w.orbit_axis_ratio / w.k) as f32 } else { 0.0 };
+            let slant = |w: &LatticeWave| if w.k > 0.0 { (w.orbit_width_over_height / w.k) as f32 } else { 0.0 };
             waves.extend(table.waves.iter().map(|w| [w.cycles_per_period, slant(w).to_bits()]));
         }
         self.wave_table_count += 1;

@@ -116,7 +116,7 @@ pub fn choose_cascades(energy: &SpectrumIntegrals, dispersion: &Dispersion, grid
 
 /// Largest wave number that any cascade may hold, rad/m; it is higher with surface tension (capillary waves).
 pub fn max_wave_number(dispersion: &Dispersion) -> f64 {
-    if dispersion.is_capillary() { MAX_CAPILLARY_K } else { MAX_GRAVITY_WAVE_NUMBER_RAD_M }
+    if dispersion.includes_surface_tension() { MAX_CAPILLARY_K } else { MAX_GRAVITY_WAVE_NUMBER_RAD_M }
 }
 
 /// Union of the bands of all cascades: (lowest, highest) wave number, rad/m, ascending and without overlap.

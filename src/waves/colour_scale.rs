@@ -72,7 +72,7 @@ impl ColourScale {
         // The lower limits give a calm sea a scale of non-zero width.
         let (slope, height_m) = (mss.sqrt().max(1e-4), m0.sqrt().max(1e-3));
         // In shallow water the horizontal displacement exceeds the vertical one.
-        let orbit = if m0 > 0.0 { plan.dispersion.orbit_axis_ratio((mss / m0).sqrt()) } else { 1.0 };
+        let orbit = if m0 > 0.0 { plan.dispersion.orbit_width_over_height((mss / m0).sqrt()) } else { 1.0 };
         let chop = plan.sea.choppiness_xz().into_iter().fold(0.0, f64::max);
         let symmetric = |unit, limit: f64| Self::linear(-limit, limit, unit, Palette::Diverging);
         let positive = |limit: f64| Self::linear(0.0, limit, "", Palette::Sequential);

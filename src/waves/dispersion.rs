@@ -32,7 +32,7 @@ impl Dispersion {
     }
 
     /// Whether the dispersion relation includes surface tension.
-    pub fn is_capillary(&self) -> bool {
+    pub fn includes_surface_tension(&self) -> bool {
         self.tension_m3_s2 > 0.0
     }
 
@@ -65,10 +65,10 @@ impl Dispersion {
         let deep = omega_rad_s * omega_rad_s / self.gravity_m_s2;
         let x = omega_rad_s * (self.depth_m / self.gravity_m_s2).sqrt();
         let mut k = if x > 8.0 { deep } else { deep * (1.0 - (-x.powf(2.4908)).exp()).powf(-1.0 / 2.4908) };
-        if self.is_capillary() {
+        if self.includes_surface_tension() {
             k = k.min((omega_rad_s * omega_rad_s / self.tension_m3_s2).cbrt());
         }
-        for _ in 0..if self.is_capillary() { 7 } else { 4 } {
+        for _ in 0..if self.includes_surface_tension() { 7 } else { 4 } {
             let omega = self.omega(k);
             k *= ((omega_rad_s / omega).ln() * omega / (k * self.group_velocity(k))).exp();
         }
@@ -77,7 +77,7 @@ impl Dispersion {
 
     /// Ratio of the horizontal to the vertical axis of the water particle orbits at the surface, coth(k depth), for the
     /// wave number `k` (rad/m).
-    pub fn orbit_axis_ratio(&self, k: f64) -> f64 {
+    pub fn orbit_width_over_height(&self, k: f64) -> f64 {
         1.0 / (k * self.depth_m).tanh()
     }
 }

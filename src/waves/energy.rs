@@ -34,7 +34,7 @@ impl SpectrumIntegrals {
                 (highest, out.omega_p) = (s, omega);
             }
             let share = s * omega * step;
-            let now = [share, share * k * k, share * (k * dispersion.orbit_axis_ratio(k)).powi(2)];
+            let now = [share, share * k * k, share * (k * dispersion.orbit_width_over_height(k)).powi(2)];
             for ((sum, a), b) in sums.iter_mut().zip(before).zip(now) {
                 *sum += 0.5 * (a + b);
             }

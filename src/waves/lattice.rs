@@ -25,7 +25,7 @@ pub struct LatticeWave {
     /// Angular frequency, rad/s: `cycles_per_period` x 2 pi / period, so that the sea repeats after its period.
     pub omega: f64,
     /// Ratio of the horizontal to the vertical axis of the water particle orbits, coth(k h) at the water depth h.
-    pub orbit_axis_ratio: f64,
+    pub orbit_width_over_height: f64,
 }
 
 impl Plan {
@@ -36,7 +36,7 @@ impl Plan {
         let cycles_per_period =
             (self.dispersion.omega(k) * self.repeat_period_s / TAU).round().clamp(1.0, f64::from(u32::MAX)) as u32;
         let omega = f64::from(cycles_per_period) * TAU / self.repeat_period_s;
-        LatticeWave { k, cycles_per_period, omega, orbit_axis_ratio: self.dispersion.orbit_axis_ratio(k) }
+        LatticeWave { k, cycles_per_period, omega, orbit_width_over_height: self.dispersion.orbit_width_over_height(k) }
     }
 
     /// Fraction of the variance at wave number `k` (rad/m) that each cascade with `k` in its band carries: 1 / count

@@ -38,7 +38,7 @@ pub struct Plan {
     pub cascades: Vec<Cascade>,
     /// Whether each patch is drawn as a blend of shifted copies, which hides its repetition.
     pub blends_copies: bool,
-    /// Period after which the sea repeats, s: all angular frequencies are multiples of 2 pi / period_s.
+    /// Period after which the sea repeats, s: all angular frequencies are multiples of 2 pi over this period.
     pub repeat_period_s: f64,
     /// Sea parameters from which the plan was made.
     pub sea: Sea,

@@ -82,7 +82,7 @@ impl SpectrumTable {
     fn with_norms(plan: &Plan, cascade: &Cascade, norms: &[LobeNorms]) -> Self {
         let half = plan.n / 2;
         let (terms, vectors_per_entry) = directional_terms(plan);
-        let outside = LatticeWave { k: 0.0, cycles_per_period: 1, omega: 0.0, orbit_axis_ratio: 0.0 };
+        let outside = LatticeWave { k: 0.0, cycles_per_period: 1, omega: 0.0, orbit_width_over_height: 0.0 };
         let entries = entry_count(plan.n);
         let mut out = Self {
             terms,

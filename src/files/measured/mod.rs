@@ -14,7 +14,7 @@ mod tests;
 mod text;
 
 pub use direction::DirectionalParameters;
-pub use formats::MAX_FILES;
+pub use formats::MAX_FILES_PER_SPECTRUM;
 pub use mem::MaximumEntropyDistribution;
 pub use spectrum::{MAX_BANDS, MIN_BANDS, MeasuredSpectrum, SpectrumFile};
 pub use state::MAX_TEXT_BYTES;

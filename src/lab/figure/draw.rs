@@ -124,7 +124,7 @@ impl Figure {
             }
             SeriesData::Points(points) => {
                 let stem = ShapeStyle::from(colour).stroke_width(SVG_UNITS_PER_PIXEL as u32);
-                for &[x, y, error] in points.iter().filter(|p| self.is_inside([p[0], p[1]])) {
+                for &[x, y, error] in points.iter().filter(|p| self.is_within_axes([p[0], p[1]])) {
                     let ends = [y - error, y + error].map(|y| to_svg_point(self.to_pixel([x, self.axes[1].clamp(y)])));
                     area.draw(&PathElement::new(ends, stem))?;
                     area.draw(&Circle::new(
@@ -204,7 +204,7 @@ impl Figure {
         (across, up)
     }
 
-    fn is_inside(&self, point: [f64; 2]) -> bool {
+    fn is_within_axes(&self, point: [f64; 2]) -> bool {
         self.axes
             .iter()
             .zip(point)
@@ -214,7 +214,7 @@ impl Figure {
     /// Splits a curve, given as points (x, y) in the units of the axes, into its pieces inside the plot area. Points
     /// outside are left out.
     fn pieces_in_plot_area<'a>(&self, points: &'a [[f64; 2]]) -> Vec<&'a [[f64; 2]]> {
-        points.split(|&p| !self.is_inside(p)).filter(|piece| piece.len() > 1).collect()
+        points.split(|&p| !self.is_within_axes(p)).filter(|piece| piece.len() > 1).collect()
     }
 }
 

@@ -32,7 +32,7 @@ impl ElevationDistribution {
     fn new(plan: &Plan, chop: f64) -> Self {
         let (mut m0, mut a, mut b, mut c) = (0.0, 0.0, 0.0, 0.0);
         visit_expected_waves(plan, &mut |wave| {
-            let strain = wave.variance_m2 * wave.k * plan.dispersion.orbit_axis_ratio(wave.k);
+            let strain = wave.variance_m2 * wave.k * plan.dispersion.orbit_width_over_height(wave.k);
             m0 += wave.variance_m2;
             a += strain * wave.travel_direction[0] * wave.travel_direction[0];
             b += strain * wave.travel_direction[1] * wave.travel_direction[1];

@@ -130,7 +130,7 @@ impl StrongestWaves {
         let displacement_m2 = waves.iter().map(|w| {
             let orbit = plan
                 .wave_at_squared_index(&plan.cascades[w.cascade_index], w.squared_wave_vector_index())
-                .orbit_axis_ratio;
+                .orbit_width_over_height;
             w.variance() * orbit * orbit
         });
         let sqrt_chop = plan.sea.choppiness_xz().map(|l| l.max(0.0).sqrt());

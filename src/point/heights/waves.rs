@@ -29,7 +29,7 @@ pub(super) struct FourWaves {
     pub(super) amplitude_re_m: DVec4,
     pub(super) amplitude_im_m: DVec4,
     /// Factor coth(k depth) / |(ix, iz)| of each lane, which turns h (ix, iz) into the amplitude of D = (Dx, Dz).
-    orbit_axis_ratio: DVec4,
+    orbit_width_over_height: DVec4,
     omega_rad_s: DVec4,
     /// Angular frequency of each lane as a multiple of 2 pi / period: number of cycles in the period of the sea.
     cycles_per_period: [u32; 4],
@@ -150,8 +150,8 @@ impl PatchWaves {
             block.iz[lane] = f64::from(candidate.iz);
             block.amplitude_re_m[lane] = 2.0 * candidate.h0[0];
             block.amplitude_im_m[lane] = 2.0 * candidate.h0[1];
-            block.orbit_axis_ratio[lane] =
-                wave.orbit_axis_ratio / f64::from(candidate.squared_wave_vector_index()).sqrt();
+            block.orbit_width_over_height[lane] =
+                wave.orbit_width_over_height / f64::from(candidate.squared_wave_vector_index()).sqrt();
             block.omega_rad_s[lane] = wave.omega;
             block.cycles_per_period[lane] = wave.cycles_per_period;
         }
@@ -168,7 +168,7 @@ impl PatchWaves {
             iz,
             amplitude_re_m: re,
             amplitude_im_m: im,
-            orbit_axis_ratio,
+            orbit_width_over_height,
             omega_rad_s,
             cycles_per_period,
         } in &self.waves_by_four
@@ -178,7 +178,7 @@ impl PatchWaves {
             let (sin, cos) = sin_cos_turns(ix * x + iz * z - turned * (1.0 / 4_294_967_296.0));
             // Complex elevation h e^{i (k.x - omega t)}.
             let (h_re, h_im) = (re * cos - im * sin, re * sin + im * cos);
-            let (d_re, d_im) = (orbit_axis_ratio * h_re, orbit_axis_ratio * h_im);
+            let (d_re, d_im) = (orbit_width_over_height * h_re, orbit_width_over_height * h_im);
             let speed = omega_rad_s * d_re;
             let (along_x, along_z) = (ix * d_re, iz * d_re);
             sums[0] += h_re;

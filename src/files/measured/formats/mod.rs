@@ -11,7 +11,7 @@ use super::spectrum::{MeasuredSpectrum, SpectrumFile};
 use super::text::TextFile;
 
 /// Largest number of files that are read together as one measured spectrum.
-pub const MAX_FILES: usize = 8;
+pub const MAX_FILES_PER_SPECTRUM: usize = 8;
 
 /// Format of a file with a measured spectrum: NDBC text file of a buoy, or plain table.
 #[derive(Clone, Copy, PartialEq)]
@@ -42,8 +42,11 @@ impl MeasuredSpectrum {
     /// # Errors
     /// One sentence with file, line and reason for the first malformed entry of any record.
     pub fn read(files: &[(String, Vec<u8>)]) -> Result<SpectrumFile, String> {
-        if files.len() > MAX_FILES {
-            return Err(format!("{} files were given: give at most {MAX_FILES} for one spectrum", files.len()));
+        if files.len() > MAX_FILES_PER_SPECTRUM {
+            return Err(format!(
+                "{} files were given: give at most {MAX_FILES_PER_SPECTRUM} for one spectrum",
+                files.len()
+            ));
         }
         let files = files.iter().map(|(name, bytes)| TextFile::decode(name, bytes)).collect::<Result<Vec<_>, _>>()?;
         let first = files.first().ok_or("no file was given")?;

@@ -11,7 +11,7 @@ use std::io::Cursor;
 use std::result::Result;
 
 /// Largest block of pixels in an OpenEXR file that is read, bytes; the decoder holds a whole block in memory.
-const MAX_BLOCK_BYTES: usize = 256 << 20;
+const MAX_DECODED_BLOCK_BYTES: usize = 256 << 20;
 /// Smallest number of pixels of an OpenEXR image that several threads decode; a smaller image is decoded by one.
 const MIN_PIXELS_FOR_PARALLEL: usize = 1 << 20;
 
@@ -64,7 +64,7 @@ pub(super) fn decode(bytes: &[u8], max_size: [usize; 2]) -> Result<SkyImage, Str
 }
 
 /// Returns an error if an OpenEXR header has an image above `max_size` (columns, rows), a block above
-/// [`MAX_BLOCK_BYTES`], or more blocks than a file of `file_bytes` bytes can hold.
+/// [`MAX_DECODED_BLOCK_BYTES`], or more blocks than a file of `file_bytes` bytes can hold.
 fn check_header(header: &Header, file_bytes: usize, max_size: [usize; 2]) -> Result<(), String> {
     // The data may reach beyond the image, so both sizes are checked.
     for size in [header.layer_size, header.shared_attributes.display_window.size] {
@@ -75,8 +75,8 @@ fn check_header(header: &Header, file_bytes: usize, max_size: [usize; 2]) -> Res
         BlockDescription::ScanLines => [header.layer_size.width(), header.compression.scan_lines_per_block()],
     };
     let bytes = block[0].checked_mul(block[1]).and_then(|n| n.checked_mul(header.channels.bytes_per_pixel));
-    if bytes.is_none_or(|n| n > MAX_BLOCK_BYTES) {
-        let mib = MAX_BLOCK_BYTES >> 20;
+    if bytes.is_none_or(|n| n > MAX_DECODED_BLOCK_BYTES) {
+        let mib = MAX_DECODED_BLOCK_BYTES >> 20;
         return Err(format!(
             "one of its blocks of pixels is larger than {mib} MiB: save it as scanlines with ZIP, or in smaller tiles"
         ));
