@@ -36,11 +36,14 @@ const IDLE_FRAMES: usize = 5;
 const LONGEST_DISPLAY_S: f64 = 1.0 / 20.0;
 /// Time after which a display's refresh interval is measured anew, s, because users change monitors and power savers.
 const DISPLAY_MEMORY_S: f64 = 300.0;
-/// Initial time for which frames must be on time before a higher resolution is tried without a GPU time, s. It doubles
-/// after each trial that fails, up to [`MAX_TIME_BEFORE_TRIAL_S`].
-const TIME_BEFORE_TRIAL_S: f64 = 3.0;
-/// Longest time for which frames must be on time before a higher resolution is tried without a GPU time, s.
-const MAX_TIME_BEFORE_TRIAL_S: f64 = 60.0;
+/// Least time for which frames must be on time before a higher resolution is tried without a GPU time, s.
+const TIME_BEFORE_BLIND_RAISE_S: f64 = 3.0;
+/// Time after a raise within which a step down shows that the raise was too much, s.
+const RAISE_ON_PROBATION_S: f64 = 3.0;
+/// Time for which frames must be on time after the first raise that was too much, s. It doubles with each further one.
+const FIRST_TIME_BEFORE_RAISE_S: f64 = 1.0;
+/// Longest time for which frames must be on time before the resolution is raised, s.
+const MAX_TIME_BEFORE_RAISE_S: f64 = 60.0;
 
 /// Controller of the picture's resolution and FFT size. All times are in seconds.
 #[derive(Debug)]
@@ -69,10 +72,11 @@ pub struct Governor {
     quiet_decisions: u32,
     /// For how long frames have been on time.
     on_time_s: f64,
-    /// Whether the last change was a raise without a GPU time, which may have been too much.
-    was_raised_blindly: bool,
-    /// For how long frames must be on time before a higher resolution is tried without a GPU time.
-    time_before_trial_s: f64,
+    /// Time since the last raise, s, if no other change followed it.
+    since_raise_s: Option<f64>,
+    /// For how long frames must be on time before the resolution is raised, s. It grows with each raise that was too
+    /// much.
+    time_before_raise_s: f64,
 }
 
 /// A step down whose effect is being measured.
@@ -112,8 +116,8 @@ impl Governor {
             gpu_times_s: Vec::new(),
             quiet_decisions: 0,
             on_time_s: 0.0,
-            was_raised_blindly: false,
-            time_before_trial_s: TIME_BEFORE_TRIAL_S,
+            since_raise_s: None,
+            time_before_raise_s: 0.0,
         };
         governor.steps_down = governor.steps_for(scale);
         governor
@@ -165,7 +169,7 @@ impl Governor {
     /// Notes a frame that began `interval_s` after the previous one. `gpu_s`: the time that a frame of the present
     /// resolution took on the GPU, if it became known since then.
     pub fn note_frame(&mut self, interval_s: f64, gpu_s: Option<f64>) {
-        if let Some((_, age_s)) = &mut self.display {
+        for age_s in self.display.iter_mut().map(|(_, age_s)| age_s).chain(&mut self.since_raise_s) {
             *age_s += interval_s;
         }
         self.display = self.display.filter(|(_, age_s)| *age_s < DISPLAY_MEMORY_S);
@@ -211,11 +215,12 @@ impl Governor {
             } else {
                 self.step_down(measured, missed_s);
             }
+        } else if self.on_time_s <= self.time_before_raise_s {
+            // Noise or a changing view made the last raise too much.
         } else if measured.gpu_s < RAISE_BELOW_FRACTION * may_take_s {
             self.step_up(self.steps_for(self.scale_for(may_take_s, measured)));
-        } else if is_on_time && !measured.has_gpu_time && self.on_time_s > self.time_before_trial_s {
+        } else if !measured.has_gpu_time && self.on_time_s > TIME_BEFORE_BLIND_RAISE_S {
             self.step_up(self.steps_down.saturating_sub(1));
-            self.was_raised_blindly = true;
         }
     }
 
@@ -278,9 +283,12 @@ impl Governor {
 
     /// Lowers the resolution so that the GPU takes the time `gpu_s`. At the lowest resolution, halves the FFT size.
     fn step_down(&mut self, measured: Measured, gpu_s: f64) {
-        if self.was_raised_blindly {
-            self.time_before_trial_s = (2.0 * self.time_before_trial_s).min(MAX_TIME_BEFORE_TRIAL_S);
-            return self.change(self.steps_down + 1, self.halvings);
+        if self.since_raise_s.is_some_and(|since_s| since_s < RAISE_ON_PROBATION_S) {
+            self.time_before_raise_s =
+                (2.0 * self.time_before_raise_s).clamp(FIRST_TIME_BEFORE_RAISE_S, MAX_TIME_BEFORE_RAISE_S);
+            if !measured.has_gpu_time {
+                return self.change(self.steps_down + 1, self.halvings);
+            }
         }
         let trial = Trial {
             steps_before: self.steps_down,
@@ -305,12 +313,15 @@ impl Governor {
             self.change(steps_down, self.halvings);
         } else if self.halvings > 0 && self.steps_down == 0 {
             self.change(0, self.halvings - 1);
+        } else {
+            return;
         }
+        self.since_raise_s = Some(0.0);
     }
 
     fn change(&mut self, steps_down: u32, halvings: u32) {
         (self.steps_down, self.halvings) = (steps_down, halvings);
-        self.was_raised_blindly = false;
+        self.since_raise_s = None;
         self.on_time_s = 0.0;
         self.quiet_decisions = 0;
         self.discard_measurements();

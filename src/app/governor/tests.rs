@@ -21,6 +21,13 @@ struct Machine {
     fixed: f64,
     /// Whether the machine tells GPU times.
     has_gpu_times: bool,
+    /// Largest relative deviation of a frame's GPU time.
+    noise: f64,
+}
+
+/// A display of 60 Hz with two buffers, and a GPU that takes `full_s` for a frame with all pixels.
+fn machine(full_s: f64) -> Machine {
+    Machine { refresh_s: 1.0 / 60.0, pace: Pace::DoubleBuffered, full_s, fixed: 0.0, has_gpu_times: true, noise: 0.04 }
 }
 
 impl Machine {
@@ -63,9 +70,8 @@ impl Machine {
         let mut in_flight: Vec<(f64, f64)> = Vec::new();
         while t < seconds {
             let scale = governor.scale();
-            // Noise of a few per cent, the same at every run.
-            let noise = 1.0 + 0.04 * (frames.len() as f64 * 2.399_963).sin();
-            let gpu_s = self.gpu_s(scale) * noise;
+            // The same noise at every run.
+            let gpu_s = self.gpu_s(scale) * (1.0 + self.noise * (frames.len() as f64 * 2.399_963).sin());
             let interval_s = self.interval_s(gpu_s);
             t += interval_s;
             frames.push((t, scale));
@@ -88,13 +94,7 @@ fn machines() -> impl Iterator<Item = Machine> {
     REFRESH_RATES_HZ.into_iter().flat_map(|hz| {
         [Pace::DoubleBuffered, Pace::Capped].into_iter().flat_map(move |pace| {
             FULL_TIMES_MS.into_iter().flat_map(move |ms| {
-                [0.0, 0.1].map(|fixed| Machine {
-                    refresh_s: 1.0 / hz,
-                    pace,
-                    full_s: 1e-3 * ms,
-                    fixed,
-                    has_gpu_times: true,
-                })
+                [0.0, 0.1].map(|fixed| Machine { refresh_s: 1.0 / hz, pace, fixed, ..machine(1e-3 * ms) })
             })
         })
     })
@@ -138,7 +138,7 @@ fn an_idle_gpu_never_loses_pixels() {
 fn a_display_capped_at_30_hz_gets_all_pixels() {
     for full_s in [0.002, 0.01, 0.016, 0.022, 0.028] {
         for has_gpu_times in [true, false] {
-            let machine = Machine { refresh_s: 1.0 / 30.0, pace: Pace::Capped, full_s, fixed: 0.0, has_gpu_times };
+            let machine = Machine { refresh_s: 1.0 / 30.0, pace: Pace::Capped, has_gpu_times, ..machine(full_s) };
             let mut governor = Governor::new(1.0, 0.4, 0);
             machine.run(&mut governor, 1.5);
             let frames = machine.run(&mut governor, 20.0);
@@ -149,8 +149,7 @@ fn a_display_capped_at_30_hz_gets_all_pixels() {
 
 #[test]
 fn a_higher_cost_takes_pixels_and_a_lower_one_brings_them_back() {
-    let machine =
-        |full_s| Machine { refresh_s: 1.0 / 60.0, pace: Pace::DoubleBuffered, full_s, fixed: 0.1, has_gpu_times: true };
+    let machine = |full_s| Machine { fixed: 0.1, ..machine(full_s) };
     let mut governor = machine(0.005).after_start();
     for (full_s, scale) in [(0.005, 1.0..=1.0), (0.025, 0.7..=0.8), (0.09, 0.45..=0.55), (0.005, 1.0..=1.0)] {
         machine(full_s).run(&mut governor, 2.0);
@@ -161,8 +160,7 @@ fn a_higher_cost_takes_pixels_and_a_lower_one_brings_them_back() {
 #[test]
 fn without_gpu_times_a_slow_gpu_is_relieved_and_trials_become_rare() {
     for full_s in [0.022, 0.05, 0.12] {
-        let machine =
-            Machine { refresh_s: 1.0 / 60.0, pace: Pace::DoubleBuffered, full_s, fixed: 0.0, has_gpu_times: false };
+        let machine = Machine { has_gpu_times: false, ..machine(full_s) };
         let mut governor = machine.after_start();
         machine.run(&mut governor, 60.0);
         let frames = machine.run(&mut governor, 60.0);
@@ -175,9 +173,22 @@ fn without_gpu_times_a_slow_gpu_is_relieved_and_trials_become_rare() {
 }
 
 #[test]
+fn noise_does_not_make_the_resolution_flicker() {
+    for full_ms in [13.0, 15.0, 17.0, 20.0, 25.0, 40.0, 80.0] {
+        for pace in [Pace::DoubleBuffered, Pace::Capped] {
+            let machine = Machine { pace, noise: 0.4, ..machine(1e-3 * full_ms) };
+            let mut governor = machine.after_start();
+            machine.run(&mut governor, 60.0);
+            let frames = machine.run(&mut governor, 60.0);
+            let changes = frames.windows(2).filter(|pair| pair[0].1 != pair[1].1).count();
+            assert!(changes <= 6, "{machine:?}: {changes} changes in a minute");
+        }
+    }
+}
+
+#[test]
 fn the_fft_shrinks_last_and_only_if_it_helps() {
-    let machine =
-        |full_s| Machine { refresh_s: 1.0 / 60.0, pace: Pace::Capped, full_s, fixed: 0.0, has_gpu_times: true };
+    let machine = |full_s| Machine { pace: Pace::Capped, ..machine(full_s) };
     let mut governor = machine(0.15).after_start();
     machine(0.15).run(&mut governor, 3.0);
     assert!(governor.scale() < 0.43 && governor.halvings() == 0, "{governor:?}");
