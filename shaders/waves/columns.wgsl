@@ -22,39 +22,34 @@ fn columns_store_gradients(c: u32, x: u32, z: u32, v: vec4f) {
   }
 }
 
+fn columns_store(c: u32, pair: u32, x: u32, z: u32, v: vec4f) {
+  if pair == 0u {
+    columns_store_displacement(c, x, z, v);
+  } else {
+    columns_store_gradients(c, x, z, v);
+  }
+}
+
 // local.x is the column, so that neighbouring threads read neighbouring points; local.y is the thread of a column.
-@compute @workgroup_size(LINES_PER_WORKGROUP, RADIX_2)
+@compute @workgroup_size(LINES_PER_WORKGROUP, THREADS_PER_LINE)
 fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group: vec3u) {
-  let t = local.y;
   let x = group.x * LINES_PER_WORKGROUP + local.x;
   let c = group.z;
-  let exchange = local.x * N;
+  let za = local.y;
+  let zb = za + N / 4u;
+  let zc = za + N / 2u;
+  let zd = zc + N / 4u;
   for (var pair = 0u; pair < 2u; pair++) {
-    let base = (c * 2u + pair) * N * N;
-    for (var i = 0u; i < RADIX_1; i++) {
-      fft_points[i] = row_transforms[base + (i * RADIX_2 + t) * N + x];
-    }
-    fft_in_registers(RADIX_1);
-    workgroupBarrier();
-    for (var k1 = 0u; k1 < RADIX_1; k1++) {
-      let w = twiddle_factors[t * k1 * (1024u / N)];
-      let point = fft_points[fft_result_index(k1, RADIX_1)];
-      fft_exchange[exchange + fft_exchange_index(k1, t)] = fft_complex_mul(point, w);
-    }
-    workgroupBarrier();
-    for (var k1 = t; k1 < RADIX_1; k1 += RADIX_2) {
-      for (var n2 = 0u; n2 < RADIX_2; n2++) {
-        fft_points[n2] = fft_exchange[exchange + fft_exchange_index(k1, n2)];
-      }
-      fft_in_registers(RADIX_2);
-      for (var k2 = 0u; k2 < RADIX_2; k2++) {
-        let v = fft_points[fft_result_index(k2, RADIX_2)];
-        if pair == 0u {
-          columns_store_displacement(c, x, k1 + RADIX_1 * k2, v);
-        } else {
-          columns_store_gradients(c, x, k1 + RADIX_1 * k2, v);
-        }
-      }
-    }
+    let column = (c * 2u + pair) * N * N + x;
+    let lines = FftPoints(
+      row_transforms[column + za * N],
+      row_transforms[column + zb * N],
+      row_transforms[column + zc * N],
+      row_transforms[column + zd * N]);
+    let points = fft_line(lines, za, local.x, LINES_PER_WORKGROUP);
+    columns_store(c, pair, x, za, points.a);
+    columns_store(c, pair, x, zb, points.b);
+    columns_store(c, pair, x, zc, points.c);
+    columns_store(c, pair, x, zd, points.d);
   }
 }

@@ -1,11 +1,12 @@
-//! Factors of the FFT size, and twiddle factors, for the FFT in shaders/waves/fft.wgsl.
+//! Twiddle factors of the FFT, and factors of the FFT size for software adapters.
 
 use std::f64::consts::TAU;
 
 /// Number of entries in the table of FFT twiddle factors, which equals the largest FFT size.
 pub const TWIDDLE_COUNT: usize = 1024;
 
-/// Factors of the FFT size n = first x second. The FFT of a line of n points is done in two rounds of shorter FFTs.
+/// Factors of the FFT size n = first x second. Software adapters do the
+/// FFT of a line of n points in two rounds of shorter FFTs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FftFactors {
     /// Number of points of each short FFT in the first round, and number of short FFTs per line in the second round.
@@ -30,4 +31,18 @@ pub fn twiddle_factors() -> Vec<[f32; 2]> {
             [cos as f32, sin as f32]
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn factors_make_the_size() {
+        for n in [64, 128, 256, 512, 1024] {
+            let FftFactors { first_round_points: first, second_round_points: second } = FftFactors::new(n);
+            assert_eq!(first * second, n);
+            assert!(first >= second && [8, 16, 32].contains(&first) && [8, 16, 32].contains(&second));
+        }
+    }
 }
