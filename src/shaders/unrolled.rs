@@ -143,9 +143,9 @@ impl FunctionWriter {
         name
     }
 
-    /// Adds WGSL for the twiddle factors e^(2 pi i t k1 / n) of every k1 below `first`, and returns their variables'
-    /// names; `t` is a WGSL expression. Each is a product of two earlier ones, so that rounding errors grow with log
-    /// k1.
+    /// Adds WGSL for the twiddle factors e^(2 pi i t k1 / n) of a thread for every k1 below `first`, and returns their
+    /// variables' names. `t` is a WGSL expression of the thread's index in its line. From k1 = 2 on, each is a product
+    /// of two earlier ones, so that rounding errors grow with log k1.
     fn add_twiddle_factors(&mut self, t: &str, first: u32, n: u32) -> Vec<String> {
         let mut factors = vec!["vec2f(1.0, 0.0)".to_owned()];
         factors.push(self.add_variable(&format!("twiddle_factors[{t} * {}u]", TWIDDLE_COUNT as u32 / n)));

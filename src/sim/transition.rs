@@ -83,7 +83,8 @@ impl Transition {
         }
     }
 
-    /// Advances the running transitions by `dt_s` seconds of wall time; returns the progress, with `started` None.
+    /// Advances the running transitions by `dt_s` seconds of wall time, and returns their progress. It starts none, so
+    /// `started` of the result is None.
     pub fn advance(&mut self, dt_s: f64) -> TransitionFrameProgress {
         let elapsed = (dt_s / TRANSITION_DURATION_S).max(0.0);
         let mut step = TransitionFrameProgress::default();

@@ -51,8 +51,8 @@ fn spreading_integral_and_r1(plan: &Plan, ratio: f64) -> [f64; 2] {
     [integral, frequency_band_mean(plan, omega, |w| spreading.first_moment(w))]
 }
 
-/// The figure of one directional spreading, by theory and as measured. The measured variance is divided by that of
-/// `isotropic_sea`, the sea with isotropic spreading.
+/// Draws the density of one directional spreading over direction, by theory and as measured. The measured variance in
+/// each bin of directions is divided by that of `isotropic_sea`, because bins hold different numbers of waves.
 fn spreading_figure(name: &str, sea: &MeasuredSea, isotropic_sea: &MeasuredSea) -> Figure {
     let x = Axis::linear("angle from the wind's direction, degrees", -180.0, 180.0);
     let spreading = &sea.plan.systems[0].spreading;

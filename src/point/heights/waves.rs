@@ -89,9 +89,11 @@ pub(super) struct WaveSums {
     pub(super) orbital_velocity_m_s: [f64; 3],
     /// Potential whose gradient is the horizontal displacement D, m^2.
     pub(super) displacement_potential_m2: f64,
-    /// Additional slopes (d eta/dx, d eta/dz) that arise because the weights of the blended patch copies vary in space.
+    /// Slopes (d eta/dx, d eta/dz), to be added to `slope`, that arise because the weights of the blended patch copies
+    /// vary in space.
     pub(super) blend_weight_slope: [f64; 2],
-    /// Additional strain (dDx/dx, dDz/dz, dDx/dz, dDz/dx) that arises because the weights of the copies vary in space.
+    /// Strain (dDx/dx, dDz/dz, dDx/dz, dDz/dx), to be added to `strain`, that arises because the weights of the
+    /// blended patch copies vary in space.
     pub(super) blend_weight_strain: [f64; 4],
 }
 

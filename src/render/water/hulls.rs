@@ -129,8 +129,8 @@ impl HullPass {
     }
 }
 
-/// Triangles of a surface of revolution around the y axis of a hull. `profile` holds radius, m, height, m, and paint
-/// colour of each ring of corners, from bottom to top.
+/// Triangles of a surface of revolution around the y axis of a hull. `profile` has a ring of corners an entry, from
+/// bottom to top: its radius (m), its height (m), and the paint of the band above it (0xBBGGRR).
 fn surface_of_revolution(profile: &[(f64, f64, u32)]) -> Vec<HullFacet> {
     const LATHE_SIDES: usize = 20;
     let mut facets = Vec::new();
