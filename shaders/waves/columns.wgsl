@@ -22,6 +22,7 @@ fn columns_store_gradients(c: u32, x: u32, z: u32, v: vec4f) {
   }
 }
 
+// Stores a texel of the displacement map (pair 0) or of the gradient map (pair 1).
 fn columns_store(c: u32, pair: u32, x: u32, z: u32, v: vec4f) {
   if pair == 0u {
     columns_store_displacement(c, x, z, v);

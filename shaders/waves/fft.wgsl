@@ -1,5 +1,5 @@
-// What the inverse FFTs for GPUs and for software adapters share: lines of N points, two complex signals at a time (xy
-// and zw of a vec4f).
+// Size and complex product of the inverse FFT, for GPUs and for software adapters. A vec4f holds two complex numbers, xy
+// and zw, so a line of N vec4f is transformed as two signals of N points at a time.
 
 override N: u32 = 256u;
 

@@ -12,16 +12,16 @@ fn main(@builtin(local_invocation_id) local: vec3u, @builtin(workgroup_id) group
   let xb = xa + N / 4u;
   let xc = xa + N / 2u;
   let xd = xc + N / 4u;
-  let a = evolve_wave(line, xa);
-  let b = evolve_wave(line, xb);
-  let c_wave = evolve_wave(line, xc);
-  let d = evolve_wave(line, xd);
+  let wave_a = evolve_wave(line, xa);
+  let wave_b = evolve_wave(line, xb);
+  let wave_c = evolve_wave(line, xc);
+  let wave_d = evolve_wave(line, xd);
   for (var pair = 0u; pair < 2u; pair++) {
     let waves = FftPoints(
-      evolve_packed_fields(pair, line, xa, a),
-      evolve_packed_fields(pair, line, xb, b),
-      evolve_packed_fields(pair, line, xc, c_wave),
-      evolve_packed_fields(pair, line, xd, d));
+      evolve_packed_fields(pair, line, xa, wave_a),
+      evolve_packed_fields(pair, line, xb, wave_b),
+      evolve_packed_fields(pair, line, xc, wave_c),
+      evolve_packed_fields(pair, line, xd, wave_d));
     let points = fft_line(waves, local.x, local.y * N, 1u);
     let out = ((c * 2u + pair) * N + z) * N;
     row_transforms[out + xa] = points.a;

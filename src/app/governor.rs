@@ -28,8 +28,14 @@ const SCALE_TO_RETURN_TO_SMOOTH_MOTION: f64 = 0.76;
 const SCALE_RATIO: f64 = 0.94;
 /// Largest number of halvings of the FFT size.
 const MAX_HALVINGS: u32 = 3;
-/// Frames after a change that are not measured: the GPU may still work on frames recorded before it.
-const UNMEASURED_FRAMES: u32 = 2;
+/// Time from one frame to the next above which fewer frames are measured, so that a slow GPU is relieved soon, s.
+const SLOW_INTERVAL_S: f64 = 0.1;
+/// Least time that is measured before a decision, s.
+const MEASURED_TIME_S: f64 = 0.1;
+/// Least time that is measured before a decision once some decisions have changed nothing, s.
+const QUIET_MEASURED_TIME_S: f64 = 0.4;
+/// Number of decisions without a change after which measurements take longer.
+const QUIET_DECISIONS: u32 = 2;
 /// Number of frames without a picture that tell the display's refresh interval.
 const IDLE_FRAMES: usize = 5;
 /// Longest interval between two frames without a picture that may be a display's refresh interval, s.
@@ -97,6 +103,13 @@ struct Measured {
     /// Time that a frame takes on the GPU, s; without GPU times, its upper limit `interval_s`.
     gpu_s: f64,
     has_gpu_time: bool,
+}
+
+impl Measured {
+    /// GPU time, s, with which frames can follow each other twice as fast.
+    fn gpu_time_for_twice_the_rate_s(&self) -> f64 {
+        0.5 * GPU_TIME_FRACTION * self.interval_s
+    }
 }
 
 impl Governor {
@@ -174,14 +187,16 @@ impl Governor {
         }
         self.display = self.display.filter(|(_, age_s)| *age_s < DISPLAY_MEMORY_S);
         self.frames += 1;
-        if self.frames <= UNMEASURED_FRAMES.min(if interval_s > 0.1 { 1 } else { UNMEASURED_FRAMES }) {
+        // After a change, the GPU may still work on frames recorded before it.
+        let (unmeasured, least_measured) = if interval_s > SLOW_INTERVAL_S { (1, 2) } else { (2, 4) };
+        if self.frames <= unmeasured {
             return;
         }
         self.intervals_s.push(interval_s);
         self.gpu_times_s.extend(gpu_s);
         let measured_s: f64 = self.intervals_s.iter().sum();
-        let needed_s = if self.quiet_decisions > 2 { 0.4 } else { 0.1 };
-        if measured_s < needed_s || self.intervals_s.len() < if interval_s > 0.1 { 2 } else { 4 } {
+        let needed_s = if self.quiet_decisions > QUIET_DECISIONS { QUIET_MEASURED_TIME_S } else { MEASURED_TIME_S };
+        if measured_s < needed_s || self.intervals_s.len() < least_measured {
             return;
         }
         let interval_s = median(&mut self.intervals_s);
@@ -201,7 +216,7 @@ impl Governor {
             return;
         }
         self.choose_aim(measured);
-        let is_on_time = measured.interval_s <= self.aim_s * (1.0 + FRAME_TIME_TOLERANCE);
+        let is_on_time = self.is_on_time(measured);
         self.on_time_s = if is_on_time { self.on_time_s + measured_s } else { 0.0 };
         let may_take_s = GPU_TIME_FRACTION * self.aim_s;
         if !is_on_time && measured.gpu_s > may_take_s {
@@ -209,7 +224,7 @@ impl Governor {
         } else if !is_on_time {
             // The GPU is fast enough, and yet frames are late. Either the display shows a frame at every second
             // refresh only, because the GPU just missed the first, or it is slow itself.
-            let missed_s = 0.5 * GPU_TIME_FRACTION * measured.interval_s;
+            let missed_s = measured.gpu_time_for_twice_the_rate_s();
             if measured.gpu_s <= missed_s || self.scale_for(missed_s, measured) < MIN_SCALE_FOR_SMOOTH_MOTION {
                 self.display = Some((measured.interval_s, 0.0));
             } else {
@@ -222,6 +237,10 @@ impl Governor {
         } else if !measured.has_gpu_time && self.on_time_s > TIME_BEFORE_BLIND_RAISE_S {
             self.step_up(self.steps_down.saturating_sub(1));
         }
+    }
+
+    fn is_on_time(&self, measured: Measured) -> bool {
+        measured.interval_s <= self.aim_s * (1.0 + FRAME_TIME_TOLERANCE)
     }
 
     /// Learns the display's refresh interval from frames during which the GPU was idle for a while, and forgets it if
@@ -237,11 +256,10 @@ impl Governor {
 
     /// Judges a step down by the frames after it. Returns false if it was undone or followed by a second one.
     fn conclude(&mut self, trial: Trial, measured: Measured) -> bool {
-        let is_on_time = measured.interval_s <= self.aim_s * (1.0 + FRAME_TIME_TOLERANCE);
-        if is_on_time || measured.interval_s <= NEEDED_SHORTENING * trial.interval_before_s {
+        if self.is_on_time(measured) || measured.interval_s <= NEEDED_SHORTENING * trial.interval_before_s {
             return true;
         }
-        let half_s = 0.5 * GPU_TIME_FRACTION * measured.interval_s;
+        let half_s = measured.gpu_time_for_twice_the_rate_s();
         let is_worth_it = self.scale_for(half_s, measured) >= MIN_SCALE_FOR_SMOOTH_MOTION;
         if !trial.is_second && trial.halvings_before == self.halvings && measured.gpu_s > half_s && is_worth_it {
             self.change(self.steps_for(self.scale_for(half_s, measured)).max(self.steps_down + 1), self.halvings);

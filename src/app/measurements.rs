@@ -74,17 +74,19 @@ impl FrameMeasurements {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Starts to time a frame on the GPU, and each of its passes if the panel shows their times. Requests copies of the
-    /// wave maps anew that were lost because their frame was not submitted. Call this before the frame's commands are
-    /// recorded. [`Self::take_gpu_time`] returns `tag` with the frame's time.
-    pub fn begin_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, tag: u32) {
+    /// Starts to time a frame on the GPU if it has a `tag`, and each of its passes if the panel shows their times.
+    /// Requests copies of the wave maps anew that were lost because their frame was not submitted. Call this before the
+    /// frame's commands are recorded. [`Self::take_gpu_time`] returns the tag with the frame's time.
+    pub fn begin_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, tag: Option<u32>) {
         let mut inner = self.lock();
         let is_submitted = std::mem::take(&mut inner.is_painted);
         // Copies of a frame that was never submitted are empty, so they are requested again.
         if !is_submitted && let Some((sea, _)) = inner.map_copies.take() {
             inner.wants_map_copies = Some(sea);
         }
-        ocean.timer().begin_frame(encoder, is_submitted, inner.wants_times, tag);
+        if inner.wants_times || tag.is_some() {
+            ocean.timer().begin_frame(encoder, is_submitted, inner.wants_times, tag.unwrap_or_default());
+        }
     }
 
     /// Ends the timing of a frame's GPU passes, and stores the latest times and `record_s`, the CPU time of recording
@@ -115,8 +117,8 @@ impl FrameMeasurements {
     /// submission, or the completion of the frame before it, to its completion. Natively a completion is noticed only
     /// at the next submission, which tells nothing.
     #[cfg_attr(not(target_arch = "wasm32"), expect(clippy::disallowed_methods, reason = "no browser runs this one"))]
-    pub fn watch_completion(&self, encoder: &wgpu::CommandEncoder, tag: u32) {
-        let inner = self.lock();
+    pub fn watch_completion(&self, encoder: &wgpu::CommandEncoder, tag: Option<u32>) {
+        let (inner, Some(tag)) = (self.lock(), tag) else { return };
         if inner.has_timestamps || cfg!(not(target_arch = "wasm32")) {
             return;
         }

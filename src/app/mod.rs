@@ -288,7 +288,8 @@ impl eframe::App for App {
         }
         let params = self.params_to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
-        let level = self.quality.level();
+        let is_adaptive = self.params.screen.adaptive && !self.params.clock.paused;
+        let level = is_adaptive.then(|| self.quality.level());
         let pixels = |points| self.quality.picture_size(points, ctx.pixels_per_point(), &params.screen, limit);
         // Clicks on the sea are sensed only while an object is to be placed: with them, egui would take a finger that
         // rests before it drags for a long press.

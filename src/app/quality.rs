@@ -33,7 +33,7 @@ pub struct AdaptiveQuality {
     time_is_stopped: bool,
 }
 
-/// What is known about a frame when the next one begins.
+/// Measured times of the last frame, and what else it did, with which quality is adapted before the next one.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FrameTimes {
     /// Wall-clock time from one frame to the next, s.

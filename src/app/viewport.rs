@@ -67,14 +67,14 @@ impl DrawingProgress {
 }
 
 /// Fills the rest of `ui` with the sea. `pixels` converts the size of that area in points to the picture's size in
-/// pixels. `quality_level` comes back with the frame's GPU time. Returns egui's response of the area to pointer input
-/// of the kind `sense`, and the picture's size in pixels.
+/// pixels. With a `quality_level` the frame's GPU time is measured, and comes back with that number. Returns egui's
+/// response of the area to pointer input of the kind `sense`, and the picture's size in pixels.
 pub fn show_sea(
     ui: &mut egui::Ui,
     params: &Params,
     (progress, measurements): (&DrawingProgress, &FrameMeasurements),
     sense: egui::Sense,
-    quality_level: u32,
+    quality_level: Option<u32>,
     pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
 ) -> (egui::Response, [u32; 2]) {
     let response = egui::CentralPanel::default()
@@ -105,8 +105,9 @@ struct SeaFrame {
     measurements: FrameMeasurements,
     /// Wall-clock time since the last frame, at most [`MAX_FADE_STEP_S`], s. A cross-fade advances by it.
     dt_s: f64,
-    /// Tag of the frame's GPU time: its quality (see [`super::quality::AdaptiveQuality::level`]).
-    tag: u32,
+    /// Tag of the frame's GPU time: its quality (see [`super::quality::AdaptiveQuality::level`]). `None` if the quality
+    /// does not adapt, so that the time is not needed.
+    tag: Option<u32>,
 }
 
 impl egui_wgpu::CallbackTrait for SeaFrame {

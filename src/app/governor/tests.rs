@@ -70,7 +70,7 @@ impl Machine {
         let mut in_flight: Vec<(f64, f64)> = Vec::new();
         while t < seconds {
             let scale = governor.scale();
-            // The same noise at every run.
+            // Noise by a formula, so that every run of the test has the same frames.
             let gpu_s = self.gpu_s(scale) * (1.0 + self.noise * (frames.len() as f64 * 2.399_963).sin());
             let interval_s = self.interval_s(gpu_s);
             t += interval_s;
