@@ -20,7 +20,8 @@ fn trips(function: &str) -> &'static [f64] {
         "water_add_waves" => &[MEAN_BLENDED_COPIES],
         "water_gradient_mean" | "foam_level" => &[3.0],
         "water_slope_moments" => &[2.0],
-        "water_mirror_among" => &[8.0, 2.0],
+        "water_mirror_among" => &[8.0],
+        "water_glitter" => &[2.0],
         "foam_map_sample" | "foam_appearance" | "present_interpolated" => &[4.0],
         _ => &[],
     }

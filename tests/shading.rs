@@ -635,9 +635,10 @@ const FAULTS: &[Fault] = &[
     Fault(
         "F1: Fresnel's fractions upside down",
         &[
-            ("let a = (g - c) / max(g + c, 1e-6);", "let a = (g + c) / (g - c);"),
-            ("(c * (g + c) - 1.0) / (c * (g - c) + 1.0);", "(c * (g - c) + 1.0) / (c * (g + c) - 1.0);"),
-            ("clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0)", "0.5 * a * a * (1.0 + b * b)"),
+            (
+                "return clamp(0.5 * up * up * (s * s + p * p) / (over * over), 0.0, 1.0);",
+                "return 0.5 * down * down * (s * s + p * p) / (up * up * p * p);",
+            ),
             (
                 "clamp(material.fresnel_scale * water_dielectric(cosine, index), 0.0, 1.0)",
                 "water_dielectric(cosine, index)",
@@ -662,9 +663,9 @@ const FAULTS: &[Fault] = &[
     Fault(
         "F4b: masking by the angle to the half vector",
         &[(
-            "let seen = water_facets_projected_area(all);",
-            "let seen = vec2f(water_projected_area(dot(v, h), all.across, all.mean_tilt, all.tilt_sigma), \
-             water_facets_projected_area(all).y);",
+            "let seen = water_tilt_projected_area(eye);",
+            "let seen = vec2f(water_projected_area(dot(v, h), eye.across, eye.mean, eye.sigma), \
+             water_tilt_projected_area(eye).y);",
         )],
         "glitter against microfacets",
     ),
@@ -684,7 +685,7 @@ const FAULTS: &[Fault] = &[
         &[("water_slope_density(mirror_slope - slope.mean", "water_slope_density(-mirror_slope - slope.mean")],
         "glitter where nothing is masked",
     ),
-    Fault("G2: in the mirrored sky", &[("f.mean_tilt = -dot(", "f.mean_tilt = dot(")], "reflectance of a facet"),
+    Fault("G2: in the mirrored sky", &[("t.mean = -dot(", "t.mean = dot(")], "reflectance of a facet"),
     Fault(
         "N3b: derivatives of the other sign",
         &[("sums.stretch + weight.x", "sums.stretch - weight.x")],
@@ -702,7 +703,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "no Fresnel on the mirrored sky",
-        &[("node.weight * f * water_environment", "node.weight * water_environment")],
+        &[("reflected * water_environment", "node.weight * water_environment")],
         "white furnace, mirrored and let in",
     ),
     Fault("Schlick's exponent fixed", &[("1e-6), material.schlick_exponent)", "1e-6), 5.0)")], "schlick"),
@@ -721,7 +722,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "light mirrored twice is lost",
-        &[("brightness *= 1.0 + water_second_bounce(all, reflectance);", "")],
+        &[("brightness *= 1.0 + water_second_bounce(eye, reflectance);", "")],
         "white furnace under 1, smooth",
     ),
     Fault(
@@ -739,7 +740,7 @@ const FAULTS: &[Fault] = &[
         &[("let reach = depth_m *", "let reach = 0.1 * depth_m *")],
         "contrast of caustics under 0.05",
     ),
-    Fault("the light's way back mirrored", &[("reflect(-v, n)", "reflect(v, n)")], "mirrored direction"),
+    Fault("the light's way back mirrored", &[("2.0 * facing * n - v", "v - 2.0 * facing * n")], "mirrored direction"),
 ];
 
 #[test]

@@ -21,7 +21,7 @@ fn ask_fresnel(cosine: f32, kind: vec4f, indices: vec4f) -> f32 {
 }
 
 fn ask_slope(at: vec2f, size: f32) -> vec4f {
-  let slope = water_slope(at, WaterFootprint(vec2f(0.0), size, 1));
+  let slope = water_slope(at, water_round_footprint(size));
   return vec4f(slope.mean, slope.jacobian, 0.0);
 }
 
@@ -50,7 +50,7 @@ fn answer(question: Question) -> Answer {
     }
     case 6u: {
       let slope = WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0));
-      answer.x = water_second_bounce(water_facets_towards(a.xyz, slope), b.x);
+      answer.x = water_second_bounce(water_tilt_towards(a.xyz, slope), b.x);
     }
     default: { answer = vec4f(water_normal(a.xy), 0.0); }
   }

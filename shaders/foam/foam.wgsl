@@ -27,15 +27,19 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let uv = corner.uv + offset / patch_m;
     // The mip level is one finer than a cell, because linear interpolation between uncorrelated texels loses variance.
     let lod = max(log2(foam.levels[level].cell_m * f32(sea.n) / patch_m) - 1.0, 0.0);
-    var blend = tile_blend(corner.tile_position, offset);
-    for (var i = 0u; i < blend.count; i++) {
+    var next = tile_blend(corner.tile_position, offset);
+    for (var i = 0u; i < TILE_COPIES; i++) {
+      let blend = next;
+      next = tile_next_copy(blend);
+      if blend.weight.x <= 0.0 {
+        continue;
+      }
       let at = uv + tile_copy_shift(corner.tile_position, blend);
       let g = textureSampleLevel(gradients, repeating_sampler, at, layer, lod);
       let d = textureSampleLevel(displacement, repeating_sampler, at, layer, lod);
-      let weight = tile_copy_weight(blend);
+      let weight = vec3f(blend.weight.x, tile_weight_gradient(corner.tile_position, blend));
       stretch += weight.x * g.zw + weight.yz * d.xz;
       shear += weight.x * d.ww + weight.zy * d.xz;
-      blend = tile_next_copy(blend);
     }
   }
   let l = sea.choppiness;

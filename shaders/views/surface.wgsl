@@ -57,7 +57,7 @@ fn fragment(in: SurfaceFragment) -> @location(0) vec4f {
     case 2u: { return view_colour(slope.jacobian, tile); }
     case 3u: { return view_colour(slope.variance.x + slope.variance.y, tile); }
     case 4u: {
-      return view_colour(log2(max(foot.size * frame.cascades[tile.layer].inverse_patch * frame.n, 1e-6)), tile);
+      return view_colour(foot.log_texel_m + frame.cascades[tile.layer].log_texels_per_m, tile);
     }
     case 5u: { return view_colour(view_foam_cover(at, dx, dy), tile); }
     default: {

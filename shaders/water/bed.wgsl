@@ -28,7 +28,7 @@ fn bed_albedo(at: vec2f, size: f32) -> vec3f {
 }
 
 fn bed_focusing_slope(at: vec2f) -> vec2f {
-  return water_slope(at, WaterFootprint(vec2f(0.0), material.caustic_filter_m, 1)).mean;
+  return water_slope(at, water_round_footprint(material.caustic_filter_m)).mean;
 }
 
 // Irradiance by the sun at a point of the bed, relative to its mean. A ray that enters the water at s meets the bed at

@@ -37,88 +37,126 @@ fn water_slope_density(off: vec2f, variance: vec3f) -> f32 {
   return peak * exp(-0.5 * clamp(square, 0.0, 160.0));
 }
 
-// Slope statistics as seen along one direction: towards it, across it, and the covariance of both.
-struct WaterFacets {
+// Tilt of the surface towards one direction: minus the slope along it.
+struct WaterTilt {
+  // Unit vector (x, z) of the direction's azimuth.
   toward: vec2f,
-  side: vec2f,
+  // Vertical and horizontal part of the direction.
   height: f32,
   across: f32,
-  // Tilt towards the direction: mean, deviation, and covariance with the slope across it, divided by the deviation.
-  mean_tilt: f32,
-  tilt_sigma: f32,
+  mean: f32,
+  sigma: f32,
+}
+
+// Slope statistics as seen along one direction.
+struct WaterFacets {
+  tilt: WaterTilt,
+  // Covariance of the tilt with the slope across the direction, divided by the tilt's deviation.
   tilt_side_shear: f32,
+  // Unit vector (x, z) across the direction; mean and deviation of the slope along this vector.
+  side: vec2f,
   side_mean: f32,
   side_sigma: f32,
 }
 
-fn water_facets_towards(dir: vec3f, slope: WaterSlope) -> WaterFacets {
+fn water_tilt_towards(dir: vec3f, slope: WaterSlope) -> WaterTilt {
   // For a vertical direction any azimuth will do.
   let level = select(vec2f(1e-4, 0.0), dir.xz, dot(dir.xz, dir.xz) > 1e-8);
+  var t: WaterTilt;
+  t.across = length(level);
+  t.height = dir.y;
+  t.toward = level / t.across;
+  t.mean = -dot(slope.mean, t.toward);
+  let square = dot(slope.variance.xy, t.toward * t.toward) + 2.0 * slope.variance.z * t.toward.x * t.toward.y;
+  t.sigma = sqrt(max(square, 1e-6));
+  return t;
+}
+
+fn water_facets_towards(dir: vec3f, slope: WaterSlope) -> WaterFacets {
   var f: WaterFacets;
-  f.across = length(level);
-  f.height = dir.y;
-  f.toward = level / f.across;
-  f.side = vec2f(-f.toward.y, f.toward.x);
-  let cov = mat2x2f(slope.variance.x, slope.variance.z, slope.variance.z, slope.variance.y);
-  f.tilt_sigma = sqrt(max(dot(f.toward, cov * f.toward), 1e-6));
-  f.side_sigma = sqrt(max(dot(f.side, cov * f.side), 1e-6));
-  f.tilt_side_shear = dot(f.toward, cov * f.side) / f.tilt_sigma;
-  // The tilt towards the eye is minus the slope along the direction.
-  f.mean_tilt = -dot(slope.mean, f.toward);
+  f.tilt = water_tilt_towards(dir, slope);
+  f.side = vec2f(-f.tilt.toward.y, f.tilt.toward.x);
+  let cov_side = mat2x2f(slope.variance.x, slope.variance.z, slope.variance.z, slope.variance.y) * f.side;
+  f.side_sigma = sqrt(max(dot(f.side, cov_side), 1e-6));
+  f.tilt_side_shear = dot(f.tilt.toward, cov_side) / f.tilt.sigma;
   f.side_mean = dot(slope.mean, f.side);
   return f;
 }
 
 // Projected area towards the direction per horizontal area: of all visible facets, and of the mean facet.
-fn water_facets_projected_area(f: WaterFacets) -> vec2f {
-  return vec2f(water_projected_area(f.height, f.across, f.mean_tilt, f.tilt_sigma), f.height + f.across * f.mean_tilt);
+fn water_tilt_projected_area(t: WaterTilt) -> vec2f {
+  return vec2f(water_projected_area(t.height, t.across, t.mean, t.sigma), t.height + t.across * t.mean);
 }
 
 const WATER_QUADRATURE_NODES = 8;
 
+// Quadrature over the slopes that are visible from a direction, weighted by projected area.
+struct WaterQuadrature {
+  // Tilt in deviations from its mean: beyond which slopes are turned away from the eye, of the first node, and range of
+  // all nodes. For GGX: facing of the mean facet divided by alpha, length of the vector that it forms with 1, and angle.
+  low: f32,
+  from_t: f32,
+  range: f32,
+  // Slope at tilt 0, and its change with the tilt.
+  slope: vec2f,
+  slope_per_tilt: vec2f,
+  // Variance of the slope across the direction, given the slope along it.
+  side_variance: f32,
+}
+
 struct WaterQuadratureNode {
   slope: vec2f,
-  // Variance of the slope across the direction, given the slope along it.
   side_variance: f32,
   weight: f32,
   // Interval of slopes that the node represents.
   slope_interval: f32,
 }
 
-// Node i of a quadrature over the visible slopes, weighted by projected area. Small even steps resolve the edge of the
-// sky that the slopes reflect.
-fn water_quadrature_node(f: WaterFacets, i: i32) -> WaterQuadratureNode {
-  let at = (f32(i) + 0.5) / f32(WATER_QUADRATURE_NODES);
+fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
+  var q: WaterQuadrature;
+  if WATER_GGX {
+    let alpha = 1.41421356 * f.tilt.sigma;
+    q.low = (f.tilt.height / f.tilt.across + f.tilt.mean) / alpha;
+    q.from_t = sqrt(1.0 + q.low * q.low);
+    q.range = 0.5 * ATM_PI - atan2(q.low, 1.0);
+  } else {
+    // Slopes that are turned away from the eye are invisible.
+    q.low = -(f.tilt.height / f.tilt.across + f.tilt.mean) / f.tilt.sigma;
+    q.from_t = max(q.low, -2.8);
+    // Nodes cover the density up to 3 deviations, or a length of about 8 / t in its far tail.
+    q.range = max(3.0 - q.from_t, 8.0 / max(q.from_t, 2.9));
+  }
+  q.slope = f.side * f.side_mean - f.tilt.toward * f.tilt.mean;
+  q.slope_per_tilt = -(f.tilt.toward * f.tilt.sigma + f.side * f.tilt_side_shear);
+  q.side_variance = max(f.side_sigma * f.side_sigma - f.tilt_side_shear * f.tilt_side_shear, 0.0);
+  return q;
+}
+
+// Node i of a quadrature over slopes whose tilt has the deviation `sigma`. Small even steps resolve the edge of the sky
+// that the slopes reflect.
+fn water_quadrature_node(q: WaterQuadrature, sigma: f32, i: i32) -> WaterQuadratureNode {
+  let at = (f32(i) + 0.5) * (1.0 / f32(WATER_QUADRATURE_NODES));
   var t: f32;
   var node: WaterQuadratureNode;
-  var spread = 1.0;
+  node.side_variance = q.side_variance;
   if WATER_GGX {
     // The visible area beyond the slope alpha tan(a) is (r cos(a + phi) + c) / 2. Nodes are steps of this area, finer
     // towards facets seen at grazing angles, which reflect most.
     let area = at * (1.4 - 0.4 * at);
-    let alpha = 1.41421356 * f.tilt_sigma;
-    let c = f.height / f.across + f.mean_tilt;
-    let r = sqrt(alpha * alpha + c * c);
-    let a = 0.5 * ATM_PI - atm_asin((area * (r + c) - c) / r) - atan2(c, alpha);
+    let a = q.range - atm_asin((area * (q.from_t + q.low) - q.low) / q.from_t);
     t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
     node.weight = 1.4 - 0.8 * at;
-    node.slope_interval = 1.3 * node.weight * f.tilt_sigma * (1.0 + 0.5 * t * t) / f32(WATER_QUADRATURE_NODES);
+    node.slope_interval = 1.3 * node.weight * sigma * (1.0 + 0.5 * t * t) / f32(WATER_QUADRATURE_NODES);
     // With GGX, a large slope along the direction makes a large slope across it more likely.
-    spread = 0.5 * (2.0 + t * t);
+    node.side_variance *= 0.5 * (2.0 + t * t);
   } else {
-    // Slopes that are turned away from the eye are invisible.
-    let low = -(f.height / f.across + f.mean_tilt) / f.tilt_sigma;
-    let from_t = max(low, -2.8);
-    // Nodes cover the density up to 3 deviations, or a length of about 8 / t in its far tail.
-    let range = max(3.0 - from_t, 8.0 / max(from_t, 2.9));
-    t = from_t + at * range;
+    t = q.from_t + at * q.range;
     // Scaled, so that not all weights underflow in the far tail. Differences come first, to keep their precision there.
-    let scale = max(low, 0.0);
-    let past = from_t - scale + at * range;
-    node.weight = exp(-0.5 * past * (t + scale)) * (from_t - low + at * range);
-    node.slope_interval = range * f.tilt_sigma / f32(WATER_QUADRATURE_NODES);
+    let scale = max(q.low, 0.0);
+    let past = q.from_t - scale + at * q.range;
+    node.weight = exp(-0.5 * past * (t + scale)) * (q.from_t - q.low + at * q.range);
+    node.slope_interval = q.range * sigma * (1.0 / f32(WATER_QUADRATURE_NODES));
   }
-  node.slope = f.toward * -(f.mean_tilt + f.tilt_sigma * t) + f.side * (f.side_mean - f.tilt_side_shear * t);
-  node.side_variance = spread * max(f.side_sigma * f.side_sigma - f.tilt_side_shear * f.tilt_side_shear, 0.0);
+  node.slope = q.slope + t * q.slope_per_tilt;
   return node;
 }

@@ -5,9 +5,14 @@
 struct WaterFootprint {
   // Longer side as a vector, m.
   axis: vec2f,
-  // Width that one sample filters over, m.
-  size: f32,
   taps: i32,
+  // Length of the longer side, m, at least the width that one sample filters over.
+  length_m: f32,
+  // Geometric mean of the length and of the width of one sample, m.
+  mean_m: f32,
+  // Binary logarithms of the texel sizes, m, at which one sample, and a single sample of the whole footprint, are read.
+  log_texel_m: f32,
+  log_whole_texel_m: f32,
 }
 
 // Largest number of samples along a footprint.
@@ -22,6 +27,15 @@ fn water_footprint_width_m(dx: vec2f, dy: vec2f, length_m: f32) -> f32 {
   return max(abs(dx.x * dy.y - dx.y * dy.x) / max(length_m, 1e-9), 1e-6);
 }
 
+// Footprint with the longer side `axis`, whose `taps` samples cover `width_m` metres each.
+fn water_footprint_of_samples(axis: vec2f, length_m: f32, width_m: f32, taps: i32) -> WaterFootprint {
+  let texel_m = WATER_TAP_TEXEL_RATIO * width_m;
+  let long_m = max(length_m, texel_m);
+  return WaterFootprint(
+    axis, taps, long_m, sqrt(width_m * long_m), log2(max(texel_m, 1e-6)),
+    log2(max(WATER_TAP_TEXEL_RATIO * long_m, 1e-6)));
+}
+
 // Footprint of a pixel with the sides `dx` and `dy`, m.
 fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   let x = length(dx);
@@ -29,65 +43,60 @@ fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   let large = max(x, y);
   let small = water_footprint_width_m(dx, dy, large);
   let taps = clamp(i32(ceil(large / small - 0.3)), 1, WATER_MAX_TAPS);
-  return WaterFootprint(select(dy, dx, x > y), WATER_TAP_TEXEL_RATIO * max(small, large / f32(taps)), taps);
+  return water_footprint_of_samples(select(dy, dx, x > y), large, max(small, large / f32(taps)), taps);
+}
+
+// Footprint of one sample whose texels are `texel_m` metres wide.
+fn water_round_footprint(texel_m: f32) -> WaterFootprint {
+  return water_footprint_of_samples(vec2f(0.0), 0.0, texel_m / WATER_TAP_TEXEL_RATIO, 1);
 }
 
 // Footprint size, relative to the patch of a cascade, at which its slopes begin to fade into variance.
 const WATER_FADE_START = 0.08;
 // Relative footprint size at which no slopes are left: a mean over it would keep 2 % of those of the longest waves.
 const WATER_FADE_END = 0.16;
-// Maps whose shortest wave is longer than this number of texels are smooth enough without a spline.
-const WATER_SMOOTH_WAVE_TEXELS = 6.0;
 // A mip level no finer than the coarsest of any map.
 const WATER_COARSEST_LOD = 16.0;
 
+// Whether a footprint is so large, compared with the patch of a cascade, that only the variance of its slopes is left.
+fn water_is_distant(map: FrameCascade, foot: WaterFootprint) -> bool {
+  return foot.mean_m * map.inverse_patch >= WATER_FADE_END;
+}
+
 // How the maps of a cascade are sampled within a footprint.
 struct WaterSampling {
-  // Weight of the mean slope, 0 to 1; 0 for a cascade so distant that only its variance is left.
+  // Weight of the mean slope, 0 to 1.
   slope_weight: f32,
   // Smoothness of the spline where the maps are magnified, 0 to 1; 0 elsewhere.
   spline_smoothness: f32,
   // Number of samples of the gradients map along the footprint.
   taps: i32,
-  // Number of samples of the moments map along the footprint.
-  moment_taps: i32,
-  // Longer side of the footprint in texture coordinates.
-  along: vec2f,
   // Mip levels of the gradients, of the displacement and of the moments map.
   slope_lod: f32,
   displacement_lod: f32,
   moment_lod: f32,
+  // Number of samples of the moments map along the footprint.
+  moment_taps: i32,
   // Fraction of the slope moments that counts as unresolved variance, 0 to 1.
   variance_weight: f32,
 }
 
 fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
-  let scale = map.inverse_patch * frame.n;
-  let texels = foot.size * scale;
-  let wide = texels / WATER_TAP_TEXEL_RATIO;
-  let long = max(length(foot.axis) * scale, texels);
-  let lod = log2(max(texels, 1e-6));
+  let long = foot.length_m * map.texels_per_m;
   var out: WaterSampling;
-  out.slope_weight = 1.0 - smoothstep(WATER_FADE_START, WATER_FADE_END, sqrt(wide * long) / frame.n);
-  out.along = foot.axis * map.inverse_patch;
-  if out.slope_weight <= 0.0 {
-    out.moment_taps = 1;
-    out.moment_lod = WATER_COARSEST_LOD;
-    out.variance_weight = 1.0;
-    return out;
-  }
-  let needs_spline = map.shortest_wave_texels < WATER_SMOOTH_WAVE_TEXELS;
-  out.spline_smoothness = select(0.0, 1.0 - smoothstep(0.8, 1.25, long), needs_spline);
+  out.slope_weight = 1.0 - smoothstep(WATER_FADE_START, WATER_FADE_END, foot.mean_m * map.inverse_patch);
+  out.spline_smoothness = map.spline_smoothness * (1.0 - smoothstep(0.8, 1.25, long));
   // No more samples than are useful: interpolation between texels blurs as much as a box of 1.4 texels. The smoother
   // moments take half as many, and the displacement takes one, as its effect on the slope is of second order.
-  out.taps = clamp(i32(ceil(long / max(wide, 1.4) - 0.3)), 1, foot.taps);
-  out.slope_lod = lod;
-  out.displacement_lod = log2(max(WATER_TAP_TEXEL_RATIO * long, 1e-6));
+  out.taps = clamp(i32(ceil(long / 1.4 - 0.3)), 1, foot.taps);
+  out.slope_lod = foot.log_texel_m + map.log_texels_per_m;
+  out.displacement_lod = foot.log_whole_texel_m + map.log_texels_per_m;
   // The moments hold nothing finer than two texels; for smaller footprints they would count resolved waves twice. The
   // mip level from which they count is fitted to the sum of resolved and unresolved variance.
-  out.variance_weight = (1.0 - out.spline_smoothness * out.spline_smoothness) * clamp(lod + 0.5, 0.0, 1.0);
-  out.moment_taps = select((out.taps + 1) / 2, 0, out.variance_weight <= 0.0);
-  let moment_tap = lod + log2(f32(out.taps) / f32(max(out.moment_taps, 1)));
-  out.moment_lod = min(moment_tap, out.displacement_lod) - 1.0;
+  let from_lod = clamp(out.slope_lod + 0.5, 0.0, 1.0);
+  out.variance_weight = (1.0 - out.spline_smoothness * out.spline_smoothness) * from_lod;
+  out.moment_taps = (out.taps + 1) / 2;
+  let wider = select(0.0, select(0.5849625, 1.0, out.taps == 2), out.taps > 1);
+  out.moment_lod = min(out.slope_lod + wider, out.displacement_lod) - 1.0;
   return out;
 }

@@ -12,10 +12,13 @@ fn water_dielectric(cosine: f32, index: f32) -> f32 {
     return 1.0;
   }
   let g = sqrt(g2);
-  // Avoids 0 / 0 for grazing light between media of equal index.
-  let a = (g - c) / max(g + c, 1e-6);
-  let b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
-  return clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);
+  // Both polarisations over one denominator; the limit avoids 0 / 0 for grazing light between media of equal index.
+  let up = g - c;
+  let down = g + c;
+  let p = c * down - 1.0;
+  let s = c * up + 1.0;
+  let over = max(down * s, 1e-6);
+  return clamp(0.5 * up * up * (s * s + p * p) / (over * over), 0.0, 1.0);
 }
 
 // Schlick's approximation of the Fresnel reflectance (1994), with a parameter in place of its exponent 5.

@@ -27,46 +27,30 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
     around.variance = slope.variance;
   }
   let eye = water_facets_towards(v, slope);
+  let quadrature = water_quadrature(eye);
+  let factor = material.fresnel_slope_factor;
   var sum = vec3f(0.0);
   var sum_f = 0.0;
   var weights = 0.0;
   for (var i = 0; i < WATER_QUADRATURE_NODES; i++) {
-    let node = water_quadrature_node(eye, i);
+    let node = water_quadrature_node(quadrature, eye.tilt.sigma, i);
     let n = water_normal(node.slope);
+    let facing = dot(v, n);
     // Slopes across the viewing direction lengthen the facet's unscaled normal, but not its part towards the eye.
-    let tilted = material.fresnel_slope_factor * node.slope;
-    let factor = material.fresnel_slope_factor;
-    let beside = 1.0 + dot(tilted, tilted) + factor * factor * node.side_variance;
-    let f = water_fresnel((v.y - dot(v.xz, tilted)) * inverseSqrt(beside));
+    let steepness = factor * factor * (dot(node.slope, node.slope) + node.side_variance);
+    let f = water_fresnel((v.y - factor * dot(v.xz, node.slope)) * inverseSqrt(1.0 + steepness));
     // Blur of the sky: the distance to the next node, or the turn of the ray by slopes across it (less if grazing).
-    let turned = 1.2 * eye.side_sigma * max(dot(v, n), 0.0);
+    let turned = 1.2 * eye.side_sigma * max(facing, 0.0);
     let spread = max(1.6 * node.slope_interval, turned) * (128.0 / ATM_PI) + 1e-3;
-    sum += node.weight * f * water_environment(reflect(-v, n), clamp(log2(spread), 0.0, 5.0));
-    sum_f += node.weight * f;
+    let reflected = node.weight * f;
+    sum += reflected * water_environment(2.0 * facing * n - v, clamp(log2(spread), 0.0, 5.0));
+    sum_f += reflected;
     weights += node.weight;
   }
   var out: WaterMirror;
   out.radiance = sum * (material.sky_reflection / weights);
   out.reflectance = sum_f / weights;
-  if WATER_POINT_SAMPLES {
-    out.radiance += water_glitter(v, slope, eye, around, out.reflectance);
-    return out;
-  }
-  // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
-  let half = slope.half_slope_difference;
-  let between_halves = vec3f(half * half, half.x * half.y);
-  var part = slope;
-  part.variance = water_limit_covariance(max(slope.variance - between_halves, vec3f(0.3 * slope.variance.xy, -1.0)));
-  var glitter = vec3f(0.0);
-  var seen = 0.0;
-  for (var i = 0; i < 2; i++) {
-    part.mean = slope.mean + select(half, -half, i == 0);
-    let facets = water_facets_towards(v, part);
-    let share = max(water_facets_projected_area(facets).x, 1e-5);
-    glitter += share * water_glitter(v, part, facets, part, out.reflectance);
-    seen += share;
-  }
-  out.radiance += glitter / seen;
+  out.radiance += water_glitter(v, slope, around, out.reflectance);
   return out;
 }
 
@@ -74,8 +58,8 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
 // reflected rays that meet other waves is fitted to the integral of the masking in water_masking_shadowing over the
 // visible slopes, to 0.01 for deviations up to 0.2. If elevation and deviation are small, it depends on their ratio
 // alone.
-fn water_second_bounce(f: WaterFacets, reflectance: f32) -> f32 {
-  let a = clamp((f.height + f.across * f.mean_tilt) / (f.across * f.tilt_sigma), 0.0, 1e3);
+fn water_second_bounce(t: WaterTilt, reflectance: f32) -> f32 {
+  let a = clamp((t.height / t.across + t.mean) / t.sigma, 0.0, 1e3);
   var lost = 0.16 * a / (1.0 + 0.7 * a) * exp(-min(a * a / 8.41, 80.0));
   if WATER_GGX {
     lost = 0.17 * a / ((1.0 + 0.62 * a) * (1.0 + a * a / 9.0));
@@ -91,27 +75,52 @@ fn water_masking_shadowing(seen: vec2f, lit: vec2f) -> f32 {
   return step(1e-6, lit.y) / (max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow);
 }
 
-// Radiance of the reflected sun, from the density of the slope that reflects it. `reflectance` is the mean of facets.
-fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlope, reflectance: f32) -> vec3f {
+// Radiance of the reflected sun. `surface` and `others` are as in water_mirror_among; `reflectance` is the mean of the
+// facets.
+fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance: f32) -> vec3f {
   let l = frame.sun_direction;
   let h = normalize(l + v);
   if l.y <= -0.02 || h.y <= 0.01 {
     return vec3f(0.0);
   }
   let mirror_slope = -h.xz / h.y;
-  // In a filtered picture, the pixel's surface is all there is around; a sample has the surface `around`.
-  var all = eye;
-  if WATER_POINT_SAMPLES {
-    all = water_facets_towards(v, around);
-  }
-  let seen = water_facets_projected_area(all);
-  let lit = water_facets_projected_area(water_facets_towards(l, around));
-  // Projected area of the surface around, divided by that of this part.
-  let share = max(seen.x, 1e-5) / max(water_facets_projected_area(eye).x, 1e-5);
   var f = water_fresnel(dot(v, h));
   if material.fresnel_slope_factor != 1.0 {
     f = water_facet_fresnel(v, mirror_slope);
   }
+  let strength = material.glitter_strength * clamp(material.glitter_fresnel_scale * f, 0.0, 1.0);
+  if WATER_POINT_SAMPLES {
+    let brightness = water_glitter_brightness(v, h, mirror_slope, surface, others, reflectance);
+    return light.sun_irradiance * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
+  }
+  // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
+  let half = surface.half_slope_difference;
+  let between_halves = vec3f(half * half, half.x * half.y);
+  var part = surface;
+  part.variance =
+    water_limit_covariance(max(surface.variance - between_halves, vec3f(0.3 * surface.variance.xy, -1.0)));
+  var sum = 0.0;
+  var seen = 0.0;
+  for (var i = 0; i < 2; i++) {
+    part.mean = surface.mean + select(half, -half, i == 0);
+    let brightness = water_glitter_brightness(v, h, mirror_slope, part, part, reflectance);
+    // A reflection is not brighter than the sun's disc.
+    sum += brightness.y * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
+    seen += brightness.y;
+  }
+  return light.sun_irradiance * (sum / seen);
+}
+
+// Radiance of the reflected sun divided by its irradiance and by Fresnel's reflectance (x), from the density of the
+// slope that reflects it, and the projected area of the surface towards the eye (y). `h` is the half vector.
+fn water_glitter_brightness(
+  v: vec3f, h: vec3f, mirror_slope: vec2f, slope: WaterSlope, around: WaterSlope, reflectance: f32,
+) -> vec2f {
+  let l = frame.sun_direction;
+  // In a filtered picture, the pixel's surface is all there is around; a sample has the surface `around`.
+  let eye = water_tilt_towards(v, around);
+  let seen = water_tilt_projected_area(eye);
+  let area = max(seen.x, 1e-5);
   var brightness: f32;
   if WATER_PHONG {
     // Normalised over half vectors. The larger cosine, not the product of both, keeps it below 1 (Neumann et al. 1999).
@@ -120,17 +129,20 @@ fn water_glitter(v: vec3f, slope: WaterSlope, eye: WaterFacets, around: WaterSlo
     let lobe = (material.shininess + 2.0) / (8.0 * ATM_PI) * pow(max(dot(n, h), 1e-6), material.shininess);
     brightness = lobe * max(cosines.x, 0.0) / max(max(cosines.x, cosines.y), 1e-4);
   } else {
+    let lit = water_tilt_projected_area(water_tilt_towards(l, around));
     let h2 = h.y * h.y;
     let density = water_slope_density(mirror_slope - slope.mean, slope.variance);
-    brightness = share * density / (4.0 * h2 * h2) * water_masking_shadowing(seen, lit);
+    brightness = density / (4.0 * h2 * h2) * water_masking_shadowing(seen, lit);
+    if WATER_POINT_SAMPLES {
+      // Projected area of the surface around, divided by that of this part.
+      brightness *= area / max(water_tilt_projected_area(water_tilt_towards(v, slope)).x, 1e-5);
+    }
     // Sunlight reflected twice spreads like that reflected once. It matters in grazing views of rough water.
-    brightness *= 1.0 + water_second_bounce(all, reflectance);
+    brightness *= 1.0 + water_second_bounce(eye, reflectance);
   }
   if material.glitter_min_cosine > 0.0 {
     let n = water_normal(slope.mean);
     brightness *= smoothstep(0.5 * material.glitter_min_cosine, material.glitter_min_cosine, min(dot(n, l), dot(n, v)));
   }
-  let strength = material.glitter_strength * clamp(material.glitter_fresnel_scale * f, 0.0, 1.0);
-  // A reflection is not brighter than the sun's disc.
-  return light.sun_irradiance * min(strength * brightness, frame.sun_radiance_per_irradiance);
+  return vec2f(brightness, area);
 }

@@ -38,8 +38,8 @@ struct WaterGradientMean {
   half_slope_difference: vec2f,
 }
 
-// Gradients of a cascade at texture coordinates, averaged over the footprint.
-fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, uv: vec2f) -> WaterGradientMean {
+// Gradients of a cascade at texture coordinates, averaged over the footprint, whose longer side is `along` there.
+fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, along: vec2f, uv: vec2f) -> WaterGradientMean {
   var out: WaterGradientMean;
   if sampling.spline_smoothness > 0.0 {
     let taps = water_spline_taps(uv, frame.n, sampling.spline_smoothness);
@@ -49,20 +49,23 @@ fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, uv: vec2f) ->
   let part = 1.0 / f32(sampling.taps);
   for (var k = 0; k < sampling.taps; k++) {
     let off = (f32(k) + 0.5) * part - 0.5;
-    let at = uv + sampling.along * off;
-    let tap = textureSampleLevel(gradients_map, trilinear_sampler, at, map.layer, sampling.slope_lod);
+    let tap = textureSampleLevel(gradients_map, trilinear_sampler, uv + along * off, map.layer, sampling.slope_lod);
     out.mean += part * tap;
     out.half_slope_difference += (part * sign(off)) * tap.xy;
   }
   return out;
 }
 
-// Second moments (xx, zz, xz) of a cascade's slopes at texture coordinates, averaged over the footprint.
-fn water_slope_moments(map: FrameCascade, sampling: WaterSampling, uv: vec2f) -> vec3f {
-  let part = 1.0 / f32(max(sampling.moment_taps, 1));
+// Second moments (xx, zz, xz) of a cascade's slopes at texture coordinates, averaged over the footprint, whose longer
+// side is `along` there.
+fn water_slope_moments(map: FrameCascade, sampling: WaterSampling, along: vec2f, uv: vec2f) -> vec3f {
+  if sampling.variance_weight <= 0.0 {
+    return vec3f(0.0);
+  }
+  let part = 1.0 / f32(sampling.moment_taps);
   var sum = vec3f(0.0);
   for (var k = 0; k < sampling.moment_taps; k++) {
-    let tap = uv + sampling.along * ((f32(k) + 0.5) * part - 0.5);
+    let tap = uv + along * ((f32(k) + 0.5) * part - 0.5);
     sum += textureSampleLevel(moments_map, nearest_mip_sampler, tap, map.layer, sampling.moment_lod).xyz;
   }
   return (map.moment_unit * part) * sum;
@@ -72,33 +75,41 @@ fn water_slope_moments(map: FrameCascade, sampling: WaterSampling, uv: vec2f) ->
 fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFootprint, cascade: u32, carried: f32) {
   let map = frame.cascades[cascade];
   let sampling = water_sampling(map, foot);
-  let is_distant = sampling.slope_weight <= 0.0;
-  // Ripples add slopes, but no displacement.
-  let slope_gain = (1.0 - carried) * map.slope_scale;
-  let own = select(0.0, 1.0 - carried, cascade < frame.cascade_count);
-  let variance_gain = map.slope_scale * map.slope_scale * map.variance_correction * sampling.variance_weight;
-  var blend = tile_blend(map.tile_position, at);
-  // The variance of a distant map is the same for every copy of the patch.
-  let copies = select(blend.count, 1u, is_distant);
-  for (var i = 0u; i < copies; i++) {
-    let uv = map.uv_below_eye + at * map.inverse_patch + tile_copy_shift(map.tile_position, blend);
-    let weight = tile_copy_weight(blend);
-    var mean = vec2f(0.0);
-    if !is_distant {
-      let gradients = water_gradient_mean(map, sampling, uv);
-      let g = sampling.slope_weight * gradients.mean;
-      let d = textureSampleLevel(displacement_map, nearest_mip_sampler, uv, map.layer, sampling.displacement_lod);
-      let own_g = vec4f(slope_gain * g.xy, own * g.zw);
-      (*out).sums = water_add_patch_copy((*out).sums, own_g, (own * sampling.slope_weight) * d, weight);
-      (*out).half_slope_difference += (slope_gain * sampling.slope_weight * weight.x) * gradients.half_slope_difference;
-      mean = g.xy;
+  let along = foot.axis * map.inverse_patch;
+  let own = (1.0 - carried) * sampling.slope_weight;
+  let slope_gain = own * map.slope_scale;
+  let variance_gain = map.variance_factor * sampling.variance_weight;
+  var next = tile_blend(map.tile_position, at);
+  for (var i = 0u; i < TILE_COPIES; i++) {
+    let blend = next;
+    next = tile_next_copy(blend);
+    let weight = blend.weight.x;
+    if weight <= 0.0 {
+      continue;
     }
+    let uv = map.uv_below_eye + at * map.inverse_patch + tile_copy_shift(map.tile_position, blend);
+    let gradients = water_gradient_mean(map, sampling, along, uv);
+    // Ripples add slopes, but no displacement.
+    if cascade < frame.cascade_count {
+      let d = textureSampleLevel(displacement_map, nearest_mip_sampler, uv, map.layer, sampling.displacement_lod);
+      let weights = own * vec3f(weight, tile_weight_gradient(map.tile_position, blend));
+      (*out).sums = water_add_patch_copy((*out).sums, gradients.mean, d, weights);
+    } else {
+      (*out).sums.slope += (slope_gain * weight) * gradients.mean.xy;
+    }
+    (*out).half_slope_difference += (slope_gain * weight) * gradients.half_slope_difference;
     // Copies of the patch are independent: their variances add with the squares of their weights.
-    let part = variance_gain * select(weight.x * weight.x, 1.0, is_distant);
-    let beyond = water_slope_moments(map, sampling, uv) - vec3f(mean * mean, mean.x * mean.y);
-    (*out).variance += part * max(beyond, vec3f(0.0, 0.0, -1.0));
-    blend = tile_next_copy(blend);
+    let mean = sampling.slope_weight * gradients.mean.xy;
+    let beyond = water_slope_moments(map, sampling, along, uv) - vec3f(mean * mean, mean.x * mean.y);
+    (*out).variance += (variance_gain * weight * weight) * max(beyond, vec3f(0.0, 0.0, -1.0));
   }
+}
+
+// Covariance (xx, zz, xz) of all slopes of a cascade around an undisplaced position, from the coarsest mip level.
+fn water_whole_covariance(map: FrameCascade, at: vec2f) -> vec3f {
+  let uv = map.uv_below_eye + at * map.inverse_patch;
+  let moments = textureSampleLevel(moments_map, nearest_mip_sampler, uv, map.layer, WATER_COARSEST_LOD).xyz;
+  return (map.variance_factor * map.moment_unit) * moments;
 }
 
 // Slope statistics within a footprint at an undisplaced position relative to the point below the eye, m.
@@ -115,15 +126,19 @@ fn water_slope_with_carried(
   waves.sums = carried;
   // Covariance of the slopes of all waves that are in no map (Cox and Munk 1954).
   waves.variance = frame.residual_slope_covariance;
+  let inverse_step = water_inverse_carrying_step(at);
   // Slopes of short gravity waves are similar at every scale, so that a shrunk copy of a cascade can serve as ripples.
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
+    let map = frame.cascades[c];
     let is_ripple = c >= frame.cascade_count;
-    let share = select(0.0, water_carried_fraction(c, at), carries && !is_ripple);
-    if share < 1.0 {
-      var within = foot;
-      if is_ripple {
-        within = ripple_foot;
-      }
+    var within = foot;
+    if is_ripple {
+      within = ripple_foot;
+    }
+    let share = select(0.0, water_carried_fraction(map, inverse_step), carries && !is_ripple);
+    if water_is_distant(map, within) {
+      waves.variance += water_whole_covariance(map, at);
+    } else if share < 1.0 {
       water_add_waves(&waves, at, within, c, share);
     }
   }

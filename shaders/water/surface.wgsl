@@ -20,18 +20,22 @@ fn water_add_patch_copy(sums: WaterDerivatives, g: vec4f, d: vec4f, weight: vec3
 
 // Shortest wavelength of a cascade, in spacings of the mesh, from which vertices carry all of its slopes (x), and below
 // which they carry none (y). Vertices read slopes only where maps are magnified (water_displacement): waves count as at
-// most WATER_CARRIED_SPACINGS.y texels long.
+// most WATER_CARRIED_SPACINGS.y texels long (`shortest_carried_wave_m` in src/render/frame.rs).
 const WATER_CARRIED_SPACINGS = vec2f(12.0, 7.0);
 
-// Fraction of a cascade's slopes that the vertices carry, 0 to 1, at a position relative to the point below the eye, m.
-// Vertices carry the slopes of a cascade whose shortest waves are long compared with the mesh spacing and the pixel.
-fn water_carried_fraction(cascade: u32, at: vec2f) -> f32 {
-  let map = frame.cascades[cascade];
-  let shortest_m = min(map.shortest_wave_texels, WATER_CARRIED_SPACINGS.y) / (map.inverse_patch * frame.n);
+// Reciprocal of the length, 1/m, with which the waves must be compared at a position relative to the point below the
+// eye, m, to tell whether vertices carry their slopes: the mesh spacing, or two pixels if they are longer.
+fn water_inverse_carrying_step(at: vec2f) -> f32 {
+  let square = dot(at, at);
   let eye_m = frame.eye_height_m;
-  let pixel_m = frame.pixel_angle * (dot(at, at) + eye_m * eye_m) / max(eye_m, 0.1);
-  let step_m = max(mesh_spacing(length(at)), 2.0 * pixel_m);
-  return smoothstep(WATER_CARRIED_SPACINGS.y, WATER_CARRIED_SPACINGS.x, shortest_m / step_m);
+  let pixel_m = frame.pixel_angle * (square + eye_m * eye_m) / max(eye_m, 0.1);
+  return 1.0 / max(mesh_spacing(sqrt(square)), 2.0 * pixel_m);
+}
+
+// Fraction of a cascade's slopes that the vertices carry, 0 to 1. Vertices carry the slopes of a cascade whose shortest
+// waves are long compared with the mesh spacing and the pixel.
+fn water_carried_fraction(map: FrameCascade, inverse_step: f32) -> f32 {
+  return smoothstep(WATER_CARRIED_SPACINGS.y, WATER_CARRIED_SPACINGS.x, map.shortest_carried_wave_m * inverse_step);
 }
 
 struct WaterDisplacement {
@@ -45,35 +49,40 @@ struct WaterDisplacement {
 fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplacement {
   var sum = vec3f(0.0);
   var out: WaterDisplacement;
+  let log_spacing = log2(max(spacing, 1e-6));
+  let inverse_step = water_inverse_carrying_step(at);
   for (var c = 0u; c < frame.cascade_count; c++) {
     let map = frame.cascades[c];
-    let lod = log2(max(spacing * map.inverse_patch * frame.n, 1e-3));
+    let lod = log_spacing + map.log_texels_per_m;
     // Fades a cascade out, as its waves become shorter than two spacings of the mesh.
     let share = clamp(log2(frame.n) - 2.0 - lod, 0.0, 1.0);
     if share <= 0.0 {
       continue;
     }
     let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
-    let carried = select(0.0, water_carried_fraction(c, at), carries);
-    var blend = tile_blend(map.tile_position, at);
-    for (var i = 0u; i < blend.count; i++) {
+    let carried = select(0.0, water_carried_fraction(map, inverse_step), carries);
+    var next = tile_blend(map.tile_position, at);
+    for (var i = 0u; i < TILE_COPIES; i++) {
+      let blend = next;
+      next = tile_next_copy(blend);
+      if blend.weight.x <= 0.0 {
+        continue;
+      }
       let uv = map.uv_below_eye + at * map.inverse_patch + tile_copy_shift(map.tile_position, blend);
       var d = vec4f(0.0);
-      var g = vec4f(0.0);
       // `carried` can exceed 0 where a map is not magnified: water below an eye among waves lies off the mesh's centre.
       if smoothness > 0.0 || carried > 0.0 {
         let spline = water_spline_taps(uv, frame.n, smoothness);
         d = water_sample_spline(displacement_map, spline, map.layer);
-        if carries {
-          g = carried * water_sample_spline(gradients_map, spline, map.layer);
+        if carried > 0.0 {
+          let g = water_sample_spline(gradients_map, spline, map.layer);
+          let weight = vec3f(blend.weight.x, tile_weight_gradient(map.tile_position, blend));
+          out.carried = water_add_patch_copy(out.carried, g, d, carried * weight);
         }
       } else {
         d = share * textureSampleLevel(displacement_map, trilinear_sampler, uv, map.layer, lod);
       }
-      let weight = tile_copy_weight(blend);
-      sum += weight.x * d.xyz;
-      out.carried = water_add_patch_copy(out.carried, g, carried * d, weight);
-      blend = tile_next_copy(blend);
+      sum += blend.weight.x * d.xyz;
     }
   }
   out.displacement = sum * vec3f(frame.choppiness.x, 1.0, frame.choppiness.y);

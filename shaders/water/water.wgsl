@@ -12,8 +12,8 @@ override WATER_POINT_SAMPLES: bool = false;
 // Weight of a sample of a reference in its pixel's mean. Samples lie evenly on the mesh, but the eye sees each by its
 // projected area. `mesh` has the waves that the mesh cannot show as roughness; over them, the mean weight is 1.
 fn water_sample_weight(v: vec3f, slope: WaterSlope, mesh: WaterSlope) -> f32 {
-  let shown = water_facets_projected_area(water_facets_towards(v, mesh)).x * max(mesh.jacobian, 0.1);
-  let own = water_facets_projected_area(water_facets_towards(v, slope)).x * max(slope.jacobian, 0.0);
+  let shown = water_tilt_projected_area(water_tilt_towards(v, mesh)).x * max(mesh.jacobian, 0.1);
+  let own = water_tilt_projected_area(water_tilt_towards(v, slope)).x * max(slope.jacobian, 0.0);
   return clamp(own / max(shown, 1e-6), 1e-5, 1e3);
 }
 
@@ -56,8 +56,8 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
   // contains ripples, however fine it is.
   var around = slope;
   if WATER_POINT_SAMPLES {
-    let shown = WaterFootprint(vec2f(0.0), mesh_spacing(length(point.undisplaced)), 1);
-    let no_ripples = WaterFootprint(vec2f(0.0), 1e6, 1);
+    let shown = water_round_footprint(mesh_spacing(length(point.undisplaced)));
+    let no_ripples = water_round_footprint(1e6);
     around = water_slope_with_carried(point.undisplaced, shown, no_ripples, WaterDerivatives(), false);
     around.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   }
@@ -73,7 +73,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
   var below = water_deep_radiance(n, ray, foam.x);
   if WATER_BED {
     let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
-    below = water_bed_radiance(below, point.position.xz, point.height, ray, foot.size, blur);
+    below = water_bed_radiance(below, point.position.xz, point.height, ray, exp2(foot.log_texel_m), blur);
   }
   if material.crest_transmission > 0.0 {
     below += water_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.x);

@@ -85,13 +85,13 @@ pub struct ShaderCost {
 }
 
 /// Floating-point operations and texture reads per vertex of the compute pass that displaces the sea mesh.
-pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { flops: 3000.0, texture_reads: 67.6 };
+pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { flops: 2460.0, texture_reads: 67.6 };
 /// Operations per vertex of the vertex shader that draws the already displaced sea mesh.
 pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { flops: 32.0, texture_reads: 0.0 };
 /// Operations per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
 pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 36.0, texture_reads: 0.0 };
 /// Floating-point operations and texture reads per pixel of the fragment shader that lights the sea in the G-buffer.
-pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 10550.0, texture_reads: 89.7 };
+pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 8720.0, texture_reads: 89.7 };
 /// Floating-point operations and texture reads per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 2200.0, texture_reads: 8.0 };
 /// Operations and texture reads per pixel of the present pass, which turns the HDR picture into screen colours.

@@ -16,6 +16,11 @@ const RIPPLE_PATCH_RATIO: f64 = 13.1;
 /// Largest fraction of the slope variance of unresolved waves (too short for any cascade) that ripples represent; the
 /// rest is shaded as roughness.
 const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
+/// Largest length of a wave, in texels, with which mesh vertices may carry its slopes (WGSL
+/// `WATER_CARRIED_SPACINGS.y`).
+const CARRIED_WAVE_TEXELS: f64 = 7.0;
+/// Maps whose shortest wave is longer than this number of texels are smooth enough without a spline.
+const SMOOTH_WAVE_TEXELS: f64 = 6.0;
 /// Largest number of ripple layers, the shrunk copies of finest cascades: one for each of the two seas of a cross-fade.
 const MAX_RIPPLE_LAYERS: usize = 2;
 /// Length of `cascades` in the frame uniform: room for the cascades and ripple layers of both seas of a cross-fade.
@@ -35,14 +40,24 @@ gpu_struct! {
         pub inverse_patch: f32,
         /// Mean square slope that the value 1 in the slope-moment map stands for: half that of the cascade's waves.
         pub moment_unit: f32,
-        /// Length of the cascade's shortest wave, in texels of its maps.
-        pub shortest_wave_texels: f32,
-        /// Index of the cascade's layer in the array textures of displacement, gradients and slope moments.
-        pub layer: u32,
-        /// Factor on the cascade's slope variance in shading; 1 except in a cross-fade of seas that share waves.
-        pub variance_correction: f32,
+        /// Number of texels of the maps per metre.
+        pub texels_per_m: f32,
+        /// Binary logarithm of `texels_per_m`.
+        pub log_texels_per_m: f32,
+        /// Length, m, with which the cascade's shortest wave counts when the shader chooses between mesh vertices and
+        /// pixels to hold its slopes: at most seven texels (WGSL `WATER_CARRIED_SPACINGS.y`).
+        pub shortest_carried_wave_m: f32,
+        /// Smoothness of the interpolation between texels where the maps are magnified: 1 (Catmull-Rom spline) if the
+        /// cascade has waves of few texels, else 0 (linear).
+        pub spline_smoothness: f32,
         /// Factor on slopes read from the maps: 1 for a cascade; 0 to 1 for ripples, to give them less variance.
         pub slope_scale: f32,
+        /// Factor on the slope variance read from the maps: the square of `slope_scale`; in a cross-fade of seas that
+        /// share waves, also the correction for it.
+        pub variance_factor: f32,
+        /// Index of the cascade's layer in the array textures of displacement, gradients and slope moments.
+        pub layer: u32,
+        unused: u32,
     }
 }
 
@@ -131,15 +146,21 @@ impl FrameCascade {
     /// Values for sampling the maps of `cascade` (`n` texels a side); the eye is above the world position `below_eye`
     /// (x, z), m.
     fn new(cascade: &MapCascade, below_eye: [f64; 2], n: f64) -> Self {
+        let texels_per_m = n / cascade.patch_m;
+        let shortest_texels = cascade.shortest_wavelength_m * texels_per_m;
         Self {
             tile_position: cascade.tiling.lattice_position(below_eye).into(),
             uv_below_eye: below_eye.map(|x| ((x / cascade.patch_m).rem_euclid(1.0) + 0.5 / n) as f32),
             inverse_patch: (1.0 / cascade.patch_m) as f32,
             moment_unit: cascade.moment_unit,
-            shortest_wave_texels: (cascade.shortest_wavelength_m * n / cascade.patch_m) as f32,
-            layer: cascade.layer,
-            variance_correction: cascade.cross_fade_variance_factor,
+            texels_per_m: texels_per_m as f32,
+            log_texels_per_m: texels_per_m.log2() as f32,
+            shortest_carried_wave_m: (shortest_texels.min(CARRIED_WAVE_TEXELS) / texels_per_m) as f32,
+            spline_smoothness: f32::from(u8::from(shortest_texels < SMOOTH_WAVE_TEXELS)),
             slope_scale: 1.0,
+            variance_factor: cascade.cross_fade_variance_factor,
+            layer: cascade.layer,
+            unused: 0,
         }
     }
 
@@ -147,12 +168,16 @@ impl FrameCascade {
     /// its slope variance; the eye is above the world position `below_eye` (x, z), m.
     fn new_ripples(cascade: &MapCascade, fraction: f64, below_eye: [f64; 2], n: f64) -> Self {
         let patch_m = cascade.patch_m / RIPPLE_PATCH_RATIO;
+        let texels_per_m = n / patch_m;
         Self {
             tile_position: cascade.tiling.with_smaller_patch(RIPPLE_PATCH_RATIO).lattice_position(below_eye).into(),
             // The offset keeps the copies of the cascade and of its ripples from coinciding at the world origin.
             uv_below_eye: below_eye.map(|x| ((x / patch_m).rem_euclid(1.0) + 0.381_966) as f32),
             inverse_patch: (1.0 / patch_m) as f32,
+            texels_per_m: texels_per_m as f32,
+            log_texels_per_m: texels_per_m.log2() as f32,
             slope_scale: fraction.sqrt() as f32,
+            variance_factor: fraction as f32 * cascade.cross_fade_variance_factor,
             ..Self::new(cascade, below_eye, n)
         }
     }

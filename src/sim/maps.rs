@@ -18,8 +18,10 @@ gpu_struct! {
     /// find from it the shifted copies of the patch that are blended near the point.
     #[derive(Default)]
     pub struct TileLatticePosition as "TileLatticePosition" {
-        /// Cosine and sine of the triangle lattice's angle of rotation, each divided by the triangles' side, 1/m.
-        pub scaled_rotation: [f32; 2],
+        /// Gradient (d/dx, d/dz), 1/m, of a point's first coordinate in the triangle lattice.
+        pub gradient_u: [f32; 2],
+        /// Gradient (d/dx, d/dz), 1/m, of a point's second coordinate in the triangle lattice.
+        pub gradient_v: [f32; 2],
         /// Fractional parts of the point's two coordinates in the triangle lattice, 0 to 1, in sides of a triangle.
         pub fraction: [f32; 2],
         /// Integer parts of the point's two coordinates in the triangle lattice, wrapped to 32 bits.
@@ -28,6 +30,7 @@ gpu_struct! {
         pub shift_key: u32,
         /// 1 if randomly shifted copies of the patch are blended, 0 if the patch repeats periodically.
         pub blends_copies: u32,
+        unused: [u32; 2],
     }
 }
 
@@ -93,12 +96,15 @@ pub struct MapCascade {
 
 impl From<TriangleLatticePosition> for TileLatticePosition {
     fn from(position: TriangleLatticePosition) -> Self {
+        let [u, v] = position.tiling.lattice_coordinate_gradients_per_m();
         Self {
-            scaled_rotation: position.tiling.rotation_cos_sin_per_m.map(|x| x as f32),
+            gradient_u: u.map(|x| x as f32),
+            gradient_v: v.map(|x| x as f32),
             fraction: position.cell_fraction.map(|x| x as f32),
             cell: position.cell,
             shift_key: position.tiling.shift_hash_key,
             blends_copies: u32::from(position.tiling.blends_copies),
+            unused: [0; 2],
         }
     }
 }

@@ -144,7 +144,7 @@ impl Tiling {
     }
 
     /// Gradients (d/dx, d/dz), 1/m, of a point's first and second coordinate in the triangle lattice.
-    fn lattice_coordinate_gradients_per_m(&self) -> [[f64; 2]; 2] {
+    pub fn lattice_coordinate_gradients_per_m(&self) -> [[f64; 2]; 2] {
         let [cos, sin] = self.rotation_cos_sin_per_m;
         [[cos + INV_SQRT_3 * sin, sin - INV_SQRT_3 * cos], [-2.0 * INV_SQRT_3 * sin, 2.0 * INV_SQRT_3 * cos]]
     }
