@@ -10,6 +10,9 @@ fn air_horizon_radiance(dir: vec3f) -> vec3f {
   return textureSampleLevel(environment_map, sky_sampler, vec2f(u, 0.5 + 1.5 / 128.0), 1.0).rgb;
 }
 
+// Reciprocal of the linear sRGB of sunlight above the air, to which the columns of ATM_SRGB_FROM_WAVELENGTHS add up.
+const AIR_INVERSE_SUN = vec3f(1.0 / 19.4, 1.0 / 20.0, 1.0 / 20.8);
+
 // Clear air between the eye and a point of the sea: the radiance that it adds, and its transmittance.
 fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let km = 0.001 * distance_m;
@@ -18,17 +21,16 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let thin = vec2f(eye / ATM_RAYLEIGH_SCALE_HEIGHT_KM, eye / ATM_AEROSOL_SCALE_HEIGHT_KM) + 1e-4;
   let mean = (1.0 - exp(-thin)) / thin;
   let extinction = ATM_RAYLEIGH_SCATTERING * mean.x + ATM_AEROSOL_EXTINCTION * (sky.haze * mean.y);
-  let sun = atm_linear_srgb(vec4f(1.0));
-  let through = atm_linear_srgb(exp(-extinction * km)) / sun;
+  let through = atm_linear_srgb(exp(-extinction * km)) * AIR_INVERSE_SUN;
   if SKY_IMAGE && sky.has_image > 0.0 {
     return array<vec3f, 2>(air_horizon_radiance(dir) * (1.0 - through), through);
   }
   // The look-up table holds the light of the air down to the still sea. A wave crest has less air in front of it.
   let below = min(atm_asin(dir.y) + frame.horizon_dip, -1e-5);
-  let fall = sin(frame.horizon_dip - below);
-  let root = max(fall * fall - sin(frame.horizon_dip) * sin(frame.horizon_dip), 0.0);
-  let whole_km = ATM_EARTH_RADIUS_KM * (fall - sqrt(root));
-  let whole = atm_linear_srgb(exp(-extinction * whole_km)) / sun;
+  let dip = sin(frame.horizon_dip);
+  let fall = max(-dir.y, dip);
+  let whole_km = ATM_EARTH_RADIUS_KM * (fall - sqrt(fall * fall - dip * dip));
+  let whole = atm_linear_srgb(exp(-extinction * whole_km)) * AIR_INVERSE_SUN;
   let share = clamp((1.0 - through) / max(1.0 - whole, vec3f(1e-6)), vec3f(0.0), vec3f(1.0));
   let clear = sky_clear_radiance(dir, below) * share;
   let grey = sky_overcast_radiance(0.0) * (1.0 - through);

@@ -45,7 +45,9 @@ const WATER_SKYLIGHT_TRANSMITTANCE = 0.934;
 // Radiance inside the water that travels up to the surface from deep water. `ray` points from the eye into the water.
 fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
   let r = water_reflectance(plume);
-  let sun_in = -water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0)).y;
+  // Sine of the sun's elevation as seen from below a level surface, by Snell's law.
+  let ratio = material.index_air / material.index_water;
+  let sun_in = sqrt(max(1.0 - ratio * ratio * (1.0 - frame.sun_direction.y * frame.sun_direction.y), 0.0));
   // Light scattered once: the flatter the viewing ray, the more sunlit water lies along it.
   let view = (sun_in + 0.85) / (sun_in + clamp(-ray.y, 0.3, 1.0));
   let view_factor = max(mix(1.0, view, material.scatter_view_dependence), 0.0);

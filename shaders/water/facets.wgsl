@@ -93,7 +93,8 @@ const WATER_QUADRATURE_NODES = 8;
 // Quadrature over the slopes that are visible from a direction, weighted by projected area.
 struct WaterQuadrature {
   // Tilt in deviations from its mean: beyond which slopes are turned away from the eye, of the first node, and range of
-  // all nodes. For GGX: facing of the mean facet divided by alpha, length of the vector that it forms with 1, and angle.
+  // all nodes. For GGX: facing of the mean facet divided by alpha, then length and angle of the vector that it forms
+  // with 1.
   low: f32,
   from_t: f32,
   range: f32,

@@ -62,6 +62,9 @@ fn foam_map_sample(at: vec2f, footprint: f32) -> vec2f {
     let inside = 1.0 - smoothstep(0.8, 1.0, max(off.x, off.y) / map.half_side_m);
     let coarse = clamp(2.0 - 0.5 * footprint * map.inverse_cell, 0.0, 1.0);
     let share = inside * coarse;
+    if share <= 0.0 {
+      continue;
+    }
     let uv = map.uv_below_eye + at * map.inverse_side;
     foam += (left * share) * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
     left *= 1.0 - share;

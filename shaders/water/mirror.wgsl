@@ -90,7 +90,12 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
   }
   let strength = material.glitter_strength * clamp(material.glitter_fresnel_scale * f, 0.0, 1.0);
   if WATER_POINT_SAMPLES {
-    let brightness = water_glitter_brightness(v, h, mirror_slope, surface, others, reflectance);
+    let eye = water_tilt_towards(v, others);
+    let lit = water_tilt_towards(l, others);
+    // Projected area of the surface around, divided by that of this part.
+    let own = water_tilt_projected_area(water_tilt_towards(v, surface)).x;
+    let share = max(water_tilt_projected_area(eye).x, 1e-5) / max(own, 1e-5);
+    let brightness = water_glitter_brightness(v, h, mirror_slope, surface, eye, lit, share, reflectance);
     return light.sun_irradiance * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
   }
   // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
@@ -99,26 +104,33 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
   var part = surface;
   part.variance =
     water_limit_covariance(max(surface.variance - between_halves, vec3f(0.3 * surface.variance.xy, -1.0)));
+  part.mean = surface.mean - half;
+  var eye = water_tilt_towards(v, part);
+  var lit = water_tilt_towards(l, part);
   var sum = 0.0;
   var seen = 0.0;
   for (var i = 0; i < 2; i++) {
-    part.mean = surface.mean + select(half, -half, i == 0);
-    let brightness = water_glitter_brightness(v, h, mirror_slope, part, part, reflectance);
+    let brightness = water_glitter_brightness(v, h, mirror_slope, part, eye, lit, 1.0, reflectance);
     // A reflection is not brighter than the sun's disc.
     sum += brightness.y * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
     seen += brightness.y;
+    // The second half.
+    part.mean += 2.0 * half;
+    eye.mean -= 2.0 * dot(half, eye.toward);
+    lit.mean -= 2.0 * dot(half, lit.toward);
   }
   return light.sun_irradiance * (sum / seen);
 }
 
 // Radiance of the reflected sun divided by its irradiance and by Fresnel's reflectance (x), from the density of the
-// slope that reflects it, and the projected area of the surface towards the eye (y). `h` is the half vector.
+// slope that reflects it, and the projected area of the surface around towards the eye (y). `h` is the half vector.
+// `eye` and `sun` are the tilts of the surface around, whose facets hide `slope` from eye and sun; in a filtered
+// picture that surface is the pixel's own. `share`: its projected area, divided by that of `slope`.
 fn water_glitter_brightness(
-  v: vec3f, h: vec3f, mirror_slope: vec2f, slope: WaterSlope, around: WaterSlope, reflectance: f32,
+  v: vec3f, h: vec3f, mirror_slope: vec2f, slope: WaterSlope, eye: WaterTilt, sun: WaterTilt, share: f32,
+  reflectance: f32,
 ) -> vec2f {
   let l = frame.sun_direction;
-  // In a filtered picture, the pixel's surface is all there is around; a sample has the surface `around`.
-  let eye = water_tilt_towards(v, around);
   let seen = water_tilt_projected_area(eye);
   let area = max(seen.x, 1e-5);
   var brightness: f32;
@@ -129,14 +141,10 @@ fn water_glitter_brightness(
     let lobe = (material.shininess + 2.0) / (8.0 * ATM_PI) * pow(max(dot(n, h), 1e-6), material.shininess);
     brightness = lobe * max(cosines.x, 0.0) / max(max(cosines.x, cosines.y), 1e-4);
   } else {
-    let lit = water_tilt_projected_area(water_tilt_towards(l, around));
+    let lit = water_tilt_projected_area(sun);
     let h2 = h.y * h.y;
     let density = water_slope_density(mirror_slope - slope.mean, slope.variance);
-    brightness = density / (4.0 * h2 * h2) * water_masking_shadowing(seen, lit);
-    if WATER_POINT_SAMPLES {
-      // Projected area of the surface around, divided by that of this part.
-      brightness *= area / max(water_tilt_projected_area(water_tilt_towards(v, slope)).x, 1e-5);
-    }
+    brightness = share * density / (4.0 * h2 * h2) * water_masking_shadowing(seen, lit);
     // Sunlight reflected twice spreads like that reflected once. It matters in grazing views of rough water.
     brightness *= 1.0 + water_second_bounce(eye, reflectance);
   }

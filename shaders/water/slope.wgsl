@@ -47,12 +47,19 @@ fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, along: vec2f,
     return out;
   }
   let part = 1.0 / f32(sampling.taps);
+  let step = part * along;
+  var at = uv + 0.5 * (step - along);
+  // Negative in the first half of the footprint, positive in the second one.
+  var side = 1.0 - f32(sampling.taps);
   for (var k = 0; k < sampling.taps; k++) {
-    let off = (f32(k) + 0.5) * part - 0.5;
-    let tap = textureSampleLevel(gradients_map, trilinear_sampler, uv + along * off, map.layer, sampling.slope_lod);
-    out.mean += part * tap;
-    out.half_slope_difference += (part * sign(off)) * tap.xy;
+    let tap = textureSampleLevel(gradients_map, trilinear_sampler, at, map.layer, sampling.slope_lod);
+    out.mean += tap;
+    out.half_slope_difference += sign(side) * tap.xy;
+    at += step;
+    side += 2.0;
   }
+  out.mean *= part;
+  out.half_slope_difference *= part;
   return out;
 }
 
@@ -63,10 +70,12 @@ fn water_slope_moments(map: FrameCascade, sampling: WaterSampling, along: vec2f,
     return vec3f(0.0);
   }
   let part = 1.0 / f32(sampling.moment_taps);
+  let step = part * along;
+  var at = uv + 0.5 * (step - along);
   var sum = vec3f(0.0);
   for (var k = 0; k < sampling.moment_taps; k++) {
-    let tap = uv + along * ((f32(k) + 0.5) * part - 0.5);
-    sum += textureSampleLevel(moments_map, nearest_mip_sampler, tap, map.layer, sampling.moment_lod).xyz;
+    sum += textureSampleLevel(moments_map, nearest_mip_sampler, at, map.layer, sampling.moment_lod).xyz;
+    at += step;
   }
   return (map.moment_unit * part) * sum;
 }

@@ -1,6 +1,7 @@
 //! Benchmark: times every pass, and measures for comparison the adapter's peak rates and a baseline that computes the
 //! waves as browser demos do. Runs natively and on the web page.
 
+pub mod budget;
 pub mod clock;
 pub mod cost;
 pub mod peak_rates;
@@ -12,6 +13,7 @@ use crate::ocean::passes::{MapSizes, WavePass};
 use crate::ocean::{Ocean, OutputKind, TimedPart};
 use crate::state::camera::View;
 use crate::state::{Params, query};
+use budget::GPU_CLASSES;
 use clock::{Stopwatch, Timing};
 use cost::Cost;
 use peak_rates::PeakRates;
@@ -274,6 +276,32 @@ impl BenchReport {
         Some(of.timing.gpu_or_median_wall_ms() / other.timing.gpu_or_median_wall_ms())
     }
 
+    /// Predicted times of the whole frames that the report measured, on the classes of GPUs of [`GPU_CLASSES`]: for
+    /// each picture size (width, height) in pixels, the name of the class and the time, ms.
+    pub fn budgets(&self) -> Vec<([u32; 2], [(&'static str, f64); GPU_CLASSES.len()])> {
+        let frames = self.rows.iter().filter(|row| row.pass == "frame");
+        let sized = frames.filter_map(|row| Some((row.picture_size?, row.cost?)));
+        sized.map(|(size, cost)| (size, GPU_CLASSES.map(|gpu| (gpu.name, gpu.predicted_ms(&cost))))).collect()
+    }
+
+    /// Writes the predicted times of the measured frames, with the assumptions behind them.
+    fn write_budgets(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (size, times) in self.budgets() {
+            let list: Vec<String> = times.iter().map(|(name, ms)| format!("{name} {ms:.1}")).collect();
+            writeln!(f, "predicted frame of {}x{}, ms: {}", size[0], size[1], list.join(", "))?;
+        }
+        let rates: Vec<String> = GPU_CLASSES
+            .iter()
+            .map(|gpu| format!("{} {} and {}", gpu.name, gpu.giga_ops_per_s, gpu.memory_gb_s))
+            .collect();
+        writeln!(
+            f,
+            "predictions are counted work divided by assumed rates, right within a factor of two; every sea pixel \
+             counts with the dearest path. Rates in Gop/s and GB/s: {}",
+            rates.join(", ")
+        )
+    }
+
     /// Sentences that compare the program's times with those of the baseline, an FFT with one dispatch per stage.
     pub fn comparisons(&self) -> Vec<String> {
         let mut out = Vec::new();
@@ -343,6 +371,7 @@ impl fmt::Display for BenchReport {
         for (row, dispatches) in self.rows.iter().filter_map(|r| Some((r, r.dispatches?))) {
             writeln!(f, "{}: {dispatches} compute dispatches", row.pass)?;
         }
+        self.write_budgets(f)?;
         self.comparisons().iter().try_for_each(|line| writeln!(f, "{line}"))
     }
 }

@@ -1,7 +1,9 @@
 //! `seastate bench`: formats the measured times as JSON.
 
+use crate::bench::budget::GPU_CLASSES;
 use crate::bench::{BenchReport, PassTiming};
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 
 /// Width and height, in pixels, of the pictures that `seastate bench --matrix` measures.
 pub const MATRIX_PICTURE_SIZES_PX: [[u32; 2]; 3] = [[640, 360], [1280, 720], [1920, 1080]];
@@ -16,7 +18,12 @@ pub fn report_json(report: &BenchReport) -> Value {
         "shading_gflop_s": ceilings.shading_gflop_s,
         "reads_g_s": ceilings.giga_texture_reads_per_s,
         "passes": report.rows.iter().map(pass_json).collect::<Vec<_>>(), "comparisons": report.comparisons(),
+        "budgets": report.budgets().into_iter().map(budget_json).collect::<Vec<_>>(),
     })
+}
+
+fn budget_json((size, times): ([u32; 2], [(&'static str, f64); GPU_CLASSES.len()])) -> Value {
+    json!({ "size": size, "predicted_ms": BTreeMap::from(times) })
 }
 
 fn pass_json(row: &PassTiming) -> Value {

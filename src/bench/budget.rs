@@ -1,0 +1,56 @@
+//! What a frame costs on GPUs that are not there: counted work divided by the assumed rates of eight classes of GPUs.
+
+use super::cost::Cost;
+
+/// A class of GPUs, with the rates at which its members are assumed to run the program's shaders.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GpuClass {
+    /// Name of a common GPU of the class.
+    pub name: &'static str,
+    /// Assumed rate of operations, 10^9/s: a fifth to a third of the peak rate, as shaders with many texture reads,
+    /// special functions and registers reach.
+    pub giga_ops_per_s: f64,
+    /// Peak rate of its memory, GB/s.
+    pub memory_gb_s: f64,
+}
+
+const fn class(name: &'static str, giga_ops_per_s: f64, memory_gb_s: f64) -> GpuClass {
+    GpuClass { name, giga_ops_per_s, memory_gb_s }
+}
+
+/// The eight classes for which `seastate bench` prints a budget, slowest first.
+pub const GPU_CLASSES: [GpuClass; 8] = [
+    class("UHD 620", 120.0, 34.0),
+    class("Mali-G78", 250.0, 51.0),
+    class("Adreno 660", 340.0, 51.0),
+    class("Iris Xe", 600.0, 68.0),
+    class("M1", 900.0, 68.0),
+    class("GTX 1060", 1400.0, 192.0),
+    class("RTX 4070", 7000.0, 504.0),
+    class("H200", 16000.0, 4800.0),
+];
+
+impl GpuClass {
+    /// Predicted time of work on a GPU of this class, ms: that of its arithmetic or of its memory traffic, whichever is
+    /// longer. It is right within a factor of about two.
+    pub fn predicted_ms(&self, work: &Cost) -> f64 {
+        1e-6 * (work.flops / self.giga_ops_per_s).max(work.bytes / self.memory_gb_s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slower_of_arithmetic_and_memory_decides() {
+        let gpu = class("test", 100.0, 10.0);
+        assert_eq!(gpu.predicted_ms(&Cost { flops: 2e9, bytes: 1e6 }), 20.0);
+        assert_eq!(gpu.predicted_ms(&Cost { flops: 2e6, bytes: 1e9 }), 100.0);
+    }
+
+    #[test]
+    fn classes_are_sorted_by_rate() {
+        assert!(GPU_CLASSES.is_sorted_by(|a, b| a.giga_ops_per_s <= b.giga_ops_per_s));
+    }
+}
