@@ -29,7 +29,9 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let below = min(atm_asin(dir.y) + frame.horizon_dip, -1e-5);
   let dip = sin(frame.horizon_dip);
   let fall = max(-dir.y, dip);
-  let whole_km = ATM_EARTH_RADIUS_KM * (fall - sqrt(fall * fall - dip * dip));
+  // At the horizon, a fused multiply-add can make the difference of two equal squares negative.
+  let root = max(fall * fall - dip * dip, 0.0);
+  let whole_km = ATM_EARTH_RADIUS_KM * (fall - sqrt(root));
   let whole = atm_linear_srgb(exp(-extinction * whole_km)) * AIR_INVERSE_SUN;
   let share = clamp((1.0 - through) / max(1.0 - whole, vec3f(1e-6)), vec3f(0.0), vec3f(1.0));
   let clear = sky_clear_radiance(dir, below) * share;

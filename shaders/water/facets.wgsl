@@ -92,9 +92,10 @@ const WATER_QUADRATURE_NODES = 8;
 
 // Quadrature over the slopes that are visible from a direction, weighted by projected area.
 struct WaterQuadrature {
-  // Tilt in deviations from its mean: beyond which slopes are turned away from the eye, of the first node, and range of
-  // all nodes. For GGX: facing of the mean facet divided by alpha, then length and angle of the vector that it forms
-  // with 1.
+  // Tilts are counted in deviations from the mean tilt. `low` is the tilt below which facets are turned away from the
+  // eye; the nodes begin at `from_t` and cover `range`. GGX uses the three otherwise: `low` is the cosine of the mean
+  // facet towards the eye (unscaled, divided by alpha and the eye's horizontal part), `from_t` is sqrt(1 + low^2), and
+  // `range` is atan(1 / low), from 0 to pi.
   low: f32,
   from_t: f32,
   range: f32,

@@ -1,4 +1,5 @@
-//! What a frame costs on GPUs that are not there: counted work divided by the assumed rates of eight classes of GPUs.
+//! Predicted times of a frame on eight classes of GPUs: the frame's counted operations and bytes, divided by the rates
+//! that GPUs of the class are assumed to reach.
 
 use super::cost::Cost;
 

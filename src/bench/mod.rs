@@ -286,7 +286,11 @@ impl BenchReport {
 
     /// Writes the predicted times of the measured frames, with the assumptions behind them.
     fn write_budgets(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (size, times) in self.budgets() {
+        let budgets = self.budgets();
+        if budgets.is_empty() {
+            return Ok(());
+        }
+        for (size, times) in budgets {
             let list: Vec<String> = times.iter().map(|(name, ms)| format!("{name} {ms:.1}")).collect();
             writeln!(f, "predicted frame of {}x{}, ms: {}", size[0], size[1], list.join(", "))?;
         }
