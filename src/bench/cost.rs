@@ -74,28 +74,32 @@ pub fn simulation_step_cost(n: u32, foam_n: u32, cascades: u32, maps: MapFormat)
         + foam_pass_cost(foam_n, cascades, maps)
 }
 
-/// Operations and texture reads of a shader per vertex or pixel, with all features of the default picture. A root,
-/// quotient or transcendental function counts as four operations. `tests/costs.rs` checks these counts.
+/// What a shader executes per vertex or pixel of the default picture, loops and branches as they are taken. A root,
+/// quotient or transcendental function counts as four operations. `tests/costs.rs` measures these counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShaderCost {
-    /// Number of floating-point operations of one vertex or pixel.
-    pub flops: f64,
-    /// Number of texture reads of one vertex or pixel, each of one texel or one filtered sample.
-    pub texture_reads: f64,
+    /// Mean number of floating-point and integer operations.
+    pub ops: f64,
+    /// Mean number of texture reads, each of one texel or one filtered sample.
+    pub reads: f64,
+    /// Number of operations of the dearest vertex or pixel.
+    pub max_ops: f64,
+    /// Number of texture reads of the vertex or pixel that has most.
+    pub max_reads: f64,
 }
 
-/// Floating-point operations and texture reads per vertex of the compute pass that displaces the sea mesh.
-pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { flops: 2460.0, texture_reads: 67.6 };
-/// Operations per vertex of the vertex shader that draws the already displaced sea mesh.
-pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { flops: 32.0, texture_reads: 0.0 };
-/// Operations per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
-pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 36.0, texture_reads: 0.0 };
-/// Floating-point operations and texture reads per pixel of the fragment shader that lights the sea in the G-buffer.
-pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 8400.0, texture_reads: 89.7 };
-/// Floating-point operations and texture reads per pixel of the fragment shader that draws the sky above the sea.
-pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 2140.0, texture_reads: 8.0 };
-/// Operations and texture reads per pixel of the present pass, which turns the HDR picture into screen colours.
-pub const PRESENT_FRAGMENT_COST: ShaderCost = ShaderCost { flops: 770.0, texture_reads: 10.0 };
+/// Cost per vertex of the compute pass that displaces the sea mesh.
+pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { ops: 1132.0, reads: 16.5, max_ops: 2061.0, max_reads: 45.0 };
+/// Cost per vertex of the vertex shader that draws the already displaced sea mesh.
+pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 32.0, reads: 0.0, max_ops: 32.0, max_reads: 0.0 };
+/// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
+pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max_ops: 36.0, max_reads: 0.0 };
+/// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
+pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 5812.0, reads: 40.6, max_ops: 8344.0, max_reads: 86.0 };
+/// Cost per pixel of the fragment shader that draws the sky above the sea.
+pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 263.0, reads: 1.0, max_ops: 263.0, max_reads: 1.0 };
+/// Cost per pixel of the present pass, which turns the HDR picture into screen colours.
+pub const PRESENT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 549.0, reads: 5.1, max_ops: 754.0, max_reads: 9.0 };
 
 /// Numbers of pixels, vertices and bytes in one picture, from which the cost of drawing it follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,8 +121,7 @@ impl PictureContents {
         let seen = self.pixels * self.sea_fraction;
         Cost {
             bytes: 120.0 * self.vertices + 36.0 * seen + 2.0 * self.map_bytes,
-            flops: (DISPLACE_VERTEX_COST.flops + MESH_VERTEX_COST.flops) * self.vertices
-                + MESH_FRAGMENT_COST.flops * seen,
+            flops: (DISPLACE_VERTEX_COST.ops + MESH_VERTEX_COST.ops) * self.vertices + MESH_FRAGMENT_COST.ops * seen,
         }
     }
 
@@ -126,18 +129,18 @@ impl PictureContents {
     /// depth (4), and writes its light (8). The maps (displacement, gradients, slope moments) are read once.
     pub fn water_cost(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
-        let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT_COST.flops * seen };
+        let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT_COST.ops * seen };
         self.mesh_cost() + light
     }
 
     /// Cost of drawing the sky: a sky pixel writes its light (8 bytes) and reads its depth (4).
     pub fn background_cost(&self) -> Cost {
         let seen = self.pixels * (1.0 - self.sea_fraction);
-        Cost { bytes: 12.0 * seen, flops: BACKGROUND_FRAGMENT_COST.flops * seen }
+        Cost { bytes: 12.0 * seen, flops: BACKGROUND_FRAGMENT_COST.ops * seen }
     }
 
     /// Cost of the present pass (HDR picture to screen colours): a pixel reads light (8 bytes), writes colour (4).
     pub fn present_cost(&self) -> Cost {
-        Cost { bytes: 12.0 * self.pixels, flops: PRESENT_FRAGMENT_COST.flops * self.pixels }
+        Cost { bytes: 12.0 * self.pixels, flops: PRESENT_FRAGMENT_COST.ops * self.pixels }
     }
 }

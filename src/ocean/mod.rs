@@ -74,9 +74,19 @@ impl Ocean {
     /// Creates a sea with the given parameters, and compiles a renderer that presents to textures of `format`. `output`
     /// says whether frames can be read back.
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, output: OutputKind, params: &Params) -> Self {
-        let mut ocean = Self::without_renderer(gpu, params);
-        (ocean.format, ocean.output) = (format, output);
-        ocean.renderer = Some(create_renderer(gpu, format, output, &ocean.timer));
+        Self::with_shaders(gpu, format, output, params, Shaders::default())
+    }
+
+    /// Like [`Self::new`], but with the given shaders in place of the program's own. Tests change shaders with it.
+    pub fn with_shaders(
+        gpu: &Gpu,
+        format: wgpu::TextureFormat,
+        output: OutputKind,
+        params: &Params,
+        shaders: Shaders,
+    ) -> Self {
+        let mut ocean = Self { format, output, shaders, ..Self::without_renderer(gpu, params) };
+        ocean.renderer = Some(ocean.create_renderer());
         ocean
     }
 
@@ -103,6 +113,12 @@ impl Ocean {
             hull_waves: Vec::new(),
             timer,
         }
+    }
+
+    fn create_renderer(&self) -> Renderer {
+        let mut renderer = Renderer::new(&self.gpu, &self.shaders, self.format, self.output);
+        renderer.set_timer(self.timer.clone());
+        renderer
     }
 
     /// Sets the parameters, without a transition. A change of only the time, the camera or the light costs nothing;
@@ -233,8 +249,10 @@ impl Ocean {
         self.select_hull_waves();
         let scene = self.scene(size);
         let caught_up = self.encode_waves(encoder, max_foam_steps);
-        let renderer =
-            self.renderer.get_or_insert_with(|| create_renderer(&self.gpu, self.format, self.output, &self.timer));
+        if self.renderer.is_none() {
+            self.renderer = Some(self.create_renderer());
+        }
+        let Some(renderer) = &mut self.renderer else { return caught_up };
         renderer.draw(&self.gpu, encoder, self.sim.maps(), &scene, size);
         caught_up
     }
@@ -362,10 +380,4 @@ impl Ocean {
 /// the renderer draws still water at height 0.
 fn relative_to_still_water(camera: &Camera, level_m: f64) -> Camera {
     Camera { y_m: camera.y_m - level_m, ..camera.clone() }
-}
-
-fn create_renderer(gpu: &Gpu, format: wgpu::TextureFormat, output: OutputKind, timer: &Timer) -> Renderer {
-    let mut renderer = Renderer::new(gpu, format, output);
-    renderer.set_timer(timer.clone());
-    renderer
 }

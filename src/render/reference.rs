@@ -12,6 +12,7 @@ use super::targets::{HDR_FORMAT, OutputKind};
 use super::water::displace;
 use super::water::mesh::{self, Mesh};
 use crate::gpu::Gpu;
+use crate::shaders::Shaders;
 use crate::sim::Maps;
 use half::f16;
 
@@ -60,7 +61,7 @@ pub struct ReferenceRenderer {
 impl ReferenceRenderer {
     /// Compiles the passes of reference pictures. `target_format` is the format that [`Self::present`] draws into.
     pub fn new(gpu: &Gpu, target_format: wgpu::TextureFormat) -> Self {
-        Self { renderer: Renderer::new(gpu, target_format, OutputKind::Reference) }
+        Self { renderer: Renderer::new(gpu, &Shaders::default(), target_format, OutputKind::Reference) }
     }
 
     /// Records the drawing of one grid of samples. Returns a texture with one sample per texel: linear light in rgb.

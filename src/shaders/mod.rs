@@ -147,6 +147,17 @@ impl Shaders {
         self
     }
 
+    /// Replaces the whole WGSL of the module named `module`, of which nothing stays. Tests count with it what shaders
+    /// execute.
+    ///
+    /// # Panics
+    /// If there is no such module.
+    #[must_use]
+    pub fn replaced(mut self, module: &str, text: String) -> Self {
+        *self.sources.get_mut(module).unwrap_or_else(|| panic!("no shader module {module}")) = text;
+        self
+    }
+
     /// Adds structs that are declared in Rust. Each module gets the declarations of the structs that its text names.
     #[must_use]
     pub fn with_structs(mut self, structs: &[StructDeclaration]) -> Self {
