@@ -20,6 +20,12 @@ impl std::ops::Add for Count {
     }
 }
 
+impl From<[f64; 2]> for Count {
+    fn from([ops, reads]: [f64; 2]) -> Self {
+        Self { ops, reads }
+    }
+}
+
 impl Count {
     pub fn max(self, other: Self) -> Self {
         Self { ops: self.ops.max(other.ops), reads: self.reads.max(other.reads) }

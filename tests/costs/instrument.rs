@@ -10,9 +10,6 @@ use naga::{
 
 /// Override constants that are on for software adapters alone.
 const OFF: [&str; 1] = ["SOFTWARE_ADAPTER"];
-/// Operations per unit of a counter in a picture of half floats.
-pub const OPS_PER_UNIT: f64 = 64.0;
-
 /// A shader that counts what one entry point executes.
 pub struct Instrumented {
     pub text: String,
@@ -20,27 +17,42 @@ pub struct Instrumented {
     pub functions: Vec<String>,
 }
 
-/// Index of the function whose counters a pixel shows, of `count`.
-pub fn shown_function([x, y]: [u32; 2], count: usize) -> usize {
-    let mut v = x.wrapping_mul(747_796_405).wrapping_add(y.wrapping_mul(2_891_336_453));
-    v = (v ^ (v >> 16)).wrapping_mul(2_246_822_519);
-    ((v ^ (v >> 13)) % count as u32) as usize
+/// What a pixel shows of its counts: those of everything that it executes, or of one function alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shown {
+    pub function: Option<usize>,
+    /// Whether it shows texture reads, not operations.
+    pub reads: bool,
 }
 
-/// What a fragment returns instead of its colour: all operations (negative if `sign` is -1) and reads, and those of the
-/// function that [`shown_function`] selects.
-fn pixel_text(count: usize, sign: i32) -> String {
+impl Shown {
+    /// What a pixel shows of a shader with `count` functions. Half of all pixels show the counts of everything.
+    pub fn of([x, y]: [u32; 2], count: usize) -> Self {
+        let mut v = x.wrapping_mul(747_796_405).wrapping_add(y.wrapping_mul(2_891_336_453));
+        v = (v ^ (v >> 16)).wrapping_mul(2_246_822_519);
+        let k = (v ^ (v >> 13)) as usize % (4 * count);
+        Self { function: (k / 2).checked_sub(count), reads: k % 2 == 1 }
+    }
+}
+
+/// What a fragment returns instead of its colour: the number that [`Shown`] selects in red and green, and `tag` in blue.
+/// All are multiples of 1/255, which textures of bytes and of half floats hold.
+fn pixel_text(count: usize, tag: u8) -> String {
     format!(
         "var<private> counted: array<vec2f, {count}>;
         fn counted_result(at: vec4f) -> vec4f {{
-          var sum = vec2f(0.0);
-          for (var i = 0u; i < {count}u; i++) {{ sum += counted[i]; }}
           let pixel = vec2u(at.xy);
           var v = pixel.x * 747796405u + pixel.y * 2891336453u;
           v = (v ^ (v >> 16u)) * 2246822519u;
-          let own = counted[(v ^ (v >> 13u)) % {count}u];
-          return vec4f({sign}.0 * sum.x / {OPS_PER_UNIT:.1}, sum.y, own.x / {OPS_PER_UNIT:.1}, own.y);
-        }}"
+          let k = (v ^ (v >> 13u)) % {}u;
+          var sum = vec2f(0.0);
+          for (var i = 0u; i < {count}u; i++) {{
+            sum += select(vec2f(0.0), counted[i], k / 2u < {count}u || i == k / 2u - {count}u);
+          }}
+          let number = u32(min(select(sum.x, sum.y, k % 2u == 1u), 65535.0));
+          return vec4f(f32(number >> 8u), f32(number & 255u), {tag}.0, 255.0) / 255.0;
+        }}",
+        4 * count
     )
 }
 
@@ -62,10 +74,10 @@ fn thread_text(count: usize) -> String {
     )
 }
 
-/// Rewrites the fragment shader `entry` of a module, which returns a colour: it returns its counts instead. The sign of
-/// the operations, 1 or -1, tells the fragments of two shaders in one picture apart.
-pub fn fragment(text: &str, entry: &str, sign: i32) -> Instrumented {
-    instrumented(text, entry, |count| pixel_text(count, sign))
+/// Rewrites the fragment shader `entry` of a module, which returns a colour: it returns its counts instead. `tag` tells
+/// the fragments of two shaders in one picture apart.
+pub fn fragment(text: &str, entry: &str, tag: u8) -> Instrumented {
+    instrumented(text, entry, |count| pixel_text(count, tag))
 }
 
 /// Rewrites the compute shader `entry` of a module: threads that reach its end add their counts to `counted_sums`.
