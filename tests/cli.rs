@@ -295,6 +295,19 @@ fn bench_times_every_pass() {
 }
 
 #[test]
+fn a_budget_needs_no_gpu() {
+    let output = Command::new(env!("CARGO_BIN_EXE_seastate"))
+        .args(["bench", "--budget", "n=64&cascades=2", "--size", "640x360"])
+        .env("WGPU_ADAPTER_NAME", "none such")
+        .output()
+        .expect("the program");
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let text = String::from_utf8_lossy(&output.stdout);
+    let parts = ["frame of 640x360", "2 cascades of 64^2", "columns", "light", "UHD 620", "at 824x1560", "Gop/s"];
+    assert!(parts.iter().all(|part| text.contains(part)), "{text}");
+}
+
+#[test]
 fn a_sequence_is_pictures_in_time_with_layers() {
     let folder = folder("frames");
     let text = folder.to_string_lossy().into_owned();

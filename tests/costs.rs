@@ -16,10 +16,12 @@ use naga::TypeInner;
 use seastate::bench::cost::{self, ShaderCost};
 use seastate::gpu::offscreen::PendingPicture;
 use seastate::gpu::{Gpu, readback};
+use seastate::ocean::passes::planned_vertex_count;
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::render;
 use seastate::shaders::Shaders;
 use seastate::state::Params;
+use seastate::waves::Plan;
 use wgpu::BindingResource::{Sampler, TextureView};
 use wgpu::{BufferUsages, TextureFormat};
 
@@ -194,6 +196,9 @@ fn the_costs_of_mesh_and_film_are_what_they_execute() {
     let gpu = common::gpu();
     let present = instrument::fragment(&text("film/present"), "fragment", 100);
     let (ocean, [_, shown]) = picture(&gpu, &[("film/present", &present)]);
+    let params = Params::default();
+    let planned = planned_vertex_count(&params, &Plan::new(&params), SIZE_PX);
+    assert_eq!(planned, ocean.vertex_count(), "budgets know the number of vertices without a GPU");
     check(&[
         ("DISPLACE_VERTEX_COST", displacement(&gpu, &ocean), cost::DISPLACE_VERTEX_COST),
         ("MESH_VERTEX_COST", without_loops("water/light", "mesh_vertex"), cost::MESH_VERTEX_COST),

@@ -12,19 +12,32 @@ pub struct Cost {
     pub bytes: f64,
     /// Number of floating-point operations, mainly additions and multiplications.
     pub flops: f64,
+    /// Number of texture reads, each of one texel or one filtered sample.
+    pub reads: f64,
 }
 
 impl std::ops::Add for Cost {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self { bytes: self.bytes + other.bytes, flops: self.flops + other.flops }
+        Self { bytes: self.bytes + other.bytes, flops: self.flops + other.flops, reads: self.reads + other.reads }
     }
 }
 
-/// Cost of a pass with `bytes` and `flops` per texel, for the n x n texels of each of `cascades` cascades.
-fn cost_of_texels(n: u32, cascades: u32, bytes: f64, flops: f64) -> Cost {
+impl Cost {
+    /// Cost of `count` runs of a shader.
+    fn of_shader(shader: &ShaderCost, count: f64) -> Self {
+        Self { bytes: 0.0, flops: shader.ops * count, reads: shader.reads * count }
+    }
+
+    fn of_bytes(bytes: f64) -> Self {
+        Self { bytes, ..Self::default() }
+    }
+}
+
+/// Cost of a pass with the cost `texel` per texel, for the n x n texels of each of `cascades` cascades.
+fn cost_of_texels(n: u32, cascades: u32, texel: Cost) -> Cost {
     let count = f64::from(n) * f64::from(n) * f64::from(cascades);
-    Cost { bytes: count * bytes, flops: count * flops }
+    Cost { bytes: count * texel.bytes, flops: count * texel.flops, reads: count * texel.reads }
 }
 
 /// Number of floating-point operations per lattice point of four complex FFTs of size `n` along one axis: 5 log2(n)
@@ -37,13 +50,15 @@ fn fft_flops_per_point(n: u32) -> f64 {
 /// of a wave and of the opposite one at time 0 (16), an eighth of an entry of `Maps::wave_table`, which eight waves
 /// share (1), four complex results (32). Software adapters share some work between two rows; it counts in full here.
 pub fn row_pass_cost(n: u32, cascades: u32) -> Cost {
-    cost_of_texels(n, cascades, 49.0, 30.0 + 14.0 + 40.0 + fft_flops_per_point(n))
+    let flops = 30.0 + 14.0 + 40.0 + fft_flops_per_point(n);
+    cost_of_texels(n, cascades, Cost { bytes: 49.0, flops, reads: 0.0 })
 }
 
 /// Cost of the column pass for FFT size `n`: FFT along z, and writing of the maps. Bytes per point: four complex inputs
 /// (32), a texel of the displacement map and one of the gradient map.
 pub fn column_pass_cost(n: u32, cascades: u32, maps: MapFormat) -> Cost {
-    cost_of_texels(n, cascades, 32.0 + 2.0 * f64::from(maps.bytes_per_texel()), fft_flops_per_point(n))
+    let bytes = 32.0 + 2.0 * f64::from(maps.bytes_per_texel());
+    cost_of_texels(n, cascades, Cost { bytes, flops: fft_flops_per_point(n), reads: 0.0 })
 }
 
 /// Cost of the row pass and the column pass together, which compute the waves' maps by an FFT.
@@ -55,7 +70,8 @@ pub fn row_and_column_pass_cost(n: u32, cascades: u32, maps: MapFormat) -> Cost 
 /// and a third of three texels is written (all smaller levels of these two and of the slope moments). A texel of the
 /// three written maps together takes 4 x 14 operations: sums over eleven channels, and three products of slopes.
 pub fn mip_pass_cost(n: u32, cascades: u32, maps: MapFormat) -> Cost {
-    cost_of_texels(n, cascades, 3.0 * f64::from(maps.bytes_per_texel()), 4.0 * 14.0 / 3.0)
+    let bytes = 3.0 * f64::from(maps.bytes_per_texel());
+    cost_of_texels(n, cascades, Cost { bytes, flops: 4.0 * 14.0 / 3.0, reads: 2.0 })
 }
 
 /// Cost of the foam pass. Bytes per foam cell: its foam read and written (8), a texel of the foam map written, and four
@@ -64,7 +80,8 @@ pub fn mip_pass_cost(n: u32, cascades: u32, maps: MapFormat) -> Cost {
 pub fn foam_pass_cost(foam_n: u32, cascades: u32, maps: MapFormat) -> Cost {
     let (samples, texel) = (f64::from(cascades) * MEAN_BLENDED_COPIES, f64::from(maps.bytes_per_texel()));
     let flops = 40.0 + 60.0 * f64::from(cascades) + 60.0 * samples;
-    cost_of_texels(foam_n, FOAM_LEVEL_COUNT as u32, 8.0 + texel + 8.0 * texel * samples, flops)
+    let bytes = 8.0 + texel + 8.0 * texel * samples;
+    cost_of_texels(foam_n, FOAM_LEVEL_COUNT as u32, Cost { bytes, flops, reads: 2.0 * samples })
 }
 
 /// Cost of simulating one frame (waves, mip levels, foam): FFT size `n`, foam levels of `foam_n` x `foam_n` cells.
@@ -119,28 +136,32 @@ impl PictureContents {
     /// triangle corners); displacement and gradient maps once; surface data (32) and depth (4) per sea pixel.
     pub fn mesh_cost(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
-        Cost {
-            bytes: 120.0 * self.vertices + 36.0 * seen + 2.0 * self.map_bytes,
-            flops: (DISPLACE_VERTEX_COST.ops + MESH_VERTEX_COST.ops) * self.vertices + MESH_FRAGMENT_COST.ops * seen,
-        }
+        Cost::of_bytes(120.0 * self.vertices + 36.0 * seen + 2.0 * self.map_bytes)
+            + Cost::of_shader(&DISPLACE_VERTEX_COST, self.vertices)
+            + Cost::of_shader(&MESH_VERTEX_COST, self.vertices)
+            + Cost::of_shader(&MESH_FRAGMENT_COST, seen)
     }
 
-    /// Minimum cost of drawing and lighting the sea mesh. Lighting a sea pixel reads its surface data (32 bytes) and
-    /// depth (4), and writes its light (8). The maps (displacement, gradients, slope moments) are read once.
-    pub fn water_cost(&self) -> Cost {
+    /// Minimum cost of lighting the sea. A sea pixel reads its surface data (32 bytes) and depth (4), and writes its
+    /// light (8). The maps (displacement, gradients, slope moments) are read once.
+    pub fn light_cost(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
-        let light = Cost { bytes: 44.0 * seen + 3.0 * self.map_bytes, flops: LIGHT_FRAGMENT_COST.ops * seen };
-        self.mesh_cost() + light
+        Cost::of_bytes(44.0 * seen + 3.0 * self.map_bytes) + Cost::of_shader(&LIGHT_FRAGMENT_COST, seen)
+    }
+
+    /// Minimum cost of drawing and lighting the sea mesh.
+    pub fn water_cost(&self) -> Cost {
+        self.mesh_cost() + self.light_cost()
     }
 
     /// Cost of drawing the sky: a sky pixel writes its light (8 bytes) and reads its depth (4).
     pub fn background_cost(&self) -> Cost {
         let seen = self.pixels * (1.0 - self.sea_fraction);
-        Cost { bytes: 12.0 * seen, flops: BACKGROUND_FRAGMENT_COST.ops * seen }
+        Cost::of_bytes(12.0 * seen) + Cost::of_shader(&BACKGROUND_FRAGMENT_COST, seen)
     }
 
     /// Cost of the present pass (HDR picture to screen colours): a pixel reads light (8 bytes), writes colour (4).
     pub fn present_cost(&self) -> Cost {
-        Cost { bytes: 12.0 * self.pixels, flops: PRESENT_FRAGMENT_COST.ops * self.pixels }
+        Cost::of_bytes(12.0 * self.pixels) + Cost::of_shader(&PRESENT_FRAGMENT_COST, self.pixels)
     }
 }

@@ -5,18 +5,19 @@ pub mod budget;
 pub mod clock;
 pub mod cost;
 pub mod peak_rates;
+pub mod planned;
 pub mod stagewise_fft;
 
 use crate::gpu::Gpu;
 use crate::gpu::offscreen;
 use crate::ocean::passes::{MapSizes, WavePass};
 use crate::ocean::{Ocean, OutputKind, TimedPart};
-use crate::state::camera::View;
 use crate::state::{Params, query};
 use budget::GPU_CLASSES;
 use clock::{Stopwatch, Timing};
 use cost::Cost;
 use peak_rates::PeakRates;
+use planned::FrameWork;
 use stagewise_fft::StagewiseFft;
 use std::fmt;
 
@@ -204,9 +205,8 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
         cost: None,
         dispatches: None,
     };
-    let counted = picture_contents(params, &ocean, size);
-    let MapSizes { map_texels_per_side: n, cascades, foam_cells_per_side: foam_n, format } = ocean.map_sizes();
-    let simulation = cost::simulation_step_cost(n, foam_n, cascades, format);
+    let work = FrameWork::new(&params.camera, size, ocean.map_sizes(), ocean.vertex_count());
+    let counted = work.picture;
     let mut out = Vec::new();
     for (pass, part) in [
         ("sky tables", TimedPart::SkyTables),
@@ -234,8 +234,7 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
         ocean.record_frame_with_complete_foam(encoder, size);
         offscreen::clear_and_draw(encoder, &target, |pass| ocean.present(pass));
     });
-    let whole = simulation + counted.water_cost() + counted.background_cost() + counted.present_cost();
-    out.push(PassTiming { cost: Some(whole), ..row("frame", frames.await?) });
+    out.push(PassTiming { cost: Some(work.cost()), ..row("frame", frames.await?) });
     // Frames while the user drags the wind slider.
     let dragged = one.measure(|i, encoder| {
         frame.clock.t_s += 1.0 / 60.0;
@@ -248,23 +247,6 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
     });
     out.push(row("frame, wind dragged", dragged.await?));
     Ok(out)
-}
-
-/// Counts the pixels, mesh vertices and map bytes of the picture of `params` with `size` (width, height) pixels.
-fn picture_contents(params: &Params, ocean: &Ocean, size: [u32; 2]) -> cost::PictureContents {
-    let sizes = ocean.map_sizes();
-    let [width, height] = size.map(f64::from);
-    let view = View::new(&params.camera, width / height, 0.0);
-    // With a level view, the lower half of the picture is below the horizon.
-    let horizon = (-params.camera.pitch_deg.to_radians()).tan() / view.tan_half_fov[1];
-    let texels =
-        f64::from(sizes.map_texels_per_side * sizes.map_texels_per_side) * f64::from(sizes.cascades) * 4.0 / 3.0;
-    cost::PictureContents {
-        pixels: width * height,
-        sea_fraction: (0.5 + 0.5 * horizon).clamp(0.0, 1.0),
-        vertices: f64::from(ocean.vertex_count()),
-        map_bytes: texels * f64::from(sizes.format.bytes_per_texel()),
-    }
 }
 
 impl BenchReport {
@@ -294,16 +276,7 @@ impl BenchReport {
             let list: Vec<String> = times.iter().map(|(name, ms)| format!("{name} {ms:.1}")).collect();
             writeln!(f, "predicted frame of {}x{}, ms: {}", size[0], size[1], list.join(", "))?;
         }
-        let rates: Vec<String> = GPU_CLASSES
-            .iter()
-            .map(|gpu| format!("{} {} and {}", gpu.name, gpu.giga_ops_per_s, gpu.memory_gb_s))
-            .collect();
-        writeln!(
-            f,
-            "predictions are counted work divided by assumed rates, right within a factor of two; every sea pixel \
-             counts with the dearest path. Rates in Gop/s and GB/s: {}",
-            rates.join(", ")
-        )
+        write!(f, "{}", budget::Assumptions)
     }
 
     /// Sentences that compare the program's times with those of the baseline, an FFT with one dispatch per stage.
@@ -345,8 +318,18 @@ impl fmt::Display for BenchReport {
         )?;
         writeln!(
             f,
-            "{:<32} {:>12} {:>10} {:>10} {:>20} {:>10} {:>8} {:>9} {:>9} {:>12}",
-            "pass", "of", "GPU, ms", "done, ms", "10 % to 90 %", "CPU, ms", "MB", "MFLOP", "x memory", "x arithmetic"
+            "{:<32} {:>12} {:>10} {:>10} {:>20} {:>10} {:>8} {:>9} {:>8} {:>9} {:>12}",
+            "pass",
+            "of",
+            "GPU, ms",
+            "done, ms",
+            "10 % to 90 %",
+            "CPU, ms",
+            "MB",
+            "MFLOP",
+            "Mreads",
+            "x memory",
+            "x arithmetic"
         )?;
         let number = |value: Option<f64>, digits: usize| value.map_or("-".to_owned(), |v| format!("{v:.digits$}"));
         for row in &self.rows {
@@ -359,7 +342,7 @@ impl fmt::Display for BenchReport {
             let floor_ms = row.cost.map(|cost| 1e-6 * cost.bytes / c.copy_gb_s);
             writeln!(
                 f,
-                "{:<32} {of:>12} {:>10} {:>10.3} {:>10.3} {:>9.3} {:>10} {:>8} {:>9} {:>9} {:>12}",
+                "{:<32} {of:>12} {:>10} {:>10.3} {:>10.3} {:>9.3} {:>10} {:>8} {:>9} {:>8} {:>9} {:>12}",
                 row.pass,
                 number(t.gpu_ms, 3),
                 t.wall_percentiles_ms[1],
@@ -368,6 +351,7 @@ impl fmt::Display for BenchReport {
                 number(t.cpu_ms, 3),
                 number(row.cost.map(|cost| 1e-6 * cost.bytes), 2),
                 number(row.cost.map(|cost| 1e-6 * cost.flops), 1),
+                number(row.cost.map(|cost| 1e-6 * cost.reads), 1),
                 number(floor_ms.map(|floor| t.gpu_or_median_wall_ms() / floor), 1),
                 number(row.cost.map(|cost| t.gpu_or_median_wall_ms() / (1e-6 * cost.flops / c.shading_gflop_s)), 1),
             )?;

@@ -141,9 +141,13 @@ pub enum Command {
     Bench {
         #[command(flatten)]
         sea: SeaArgs,
-        /// Width and height of a picture in pixels; repeat the option for several pictures
-        #[arg(long = "size", default_value = "1280x720", value_parser = parse_size)]
+        /// Width and height of a picture in pixels; repeat the option for several pictures. Without it, 1280x720 is
+        /// measured, and the budget is for 1920x1080
+        #[arg(long = "size", value_parser = parse_size)]
         sizes: Vec<[u32; 2]>,
+        /// Measures nothing and needs no GPU: prints counted work of each pass and predicted times on classes of GPUs
+        #[arg(long, conflicts_with_all = ["no_picture", "matrix", "baseline", "repeat", "json"])]
+        budget: bool,
         /// Measures the simulation only, and no picture
         #[arg(long)]
         no_picture: bool,

@@ -6,6 +6,7 @@ mod compare;
 mod info;
 
 use crate::bench::BenchOptions;
+use crate::bench::planned::Budget;
 use crate::gpu::{Gpu, device};
 use crate::lab::reference::SamplingSettings;
 use crate::lab::render::PictureSequence;
@@ -76,10 +77,15 @@ fn run(cli: Cli) -> Result<i32, String> {
             }
             if json { statistics.json(&notices) } else { statistics.to_string() }
         }
-        Some(Command::Bench { sea: args, sizes, no_picture, matrix, baseline, repeat, json }) => {
+        Some(Command::Bench { sea: args, sizes, budget: true, .. }) => {
+            let sizes = if sizes.is_empty() { vec![[1920, 1080]] } else { sizes };
+            Budget { params: &read_sea_params(&args)?, sizes: &sizes }.to_string()
+        }
+        Some(Command::Bench { sea: args, sizes, budget: false, no_picture, matrix, baseline, repeat, json }) => {
             let sizes = match (no_picture, matrix) {
                 (true, _) => Vec::new(),
                 (_, true) => bench::MATRIX_PICTURE_SIZES_PX.to_vec(),
+                _ if sizes.is_empty() => vec![[1280, 720]],
                 _ => sizes,
             };
             let options =

@@ -1,9 +1,14 @@
 //! Single GPU passes of the simulation, recorded alone so that they can be timed.
 
-use super::Ocean;
+use super::{MIN_EYE_HEIGHT_M, Ocean, relative_to_still_water};
 use crate::gpu::map_format::MapFormat;
+use crate::render::{SeaAppearance, planned_mesh_vertices};
 use crate::sim::Simulation;
 use crate::sim::planned_sea::SeaDispatch;
+use crate::sim::resources::foam_cells_per_side;
+use crate::state::Params;
+use crate::state::camera::View;
+use crate::waves::Plan;
 
 /// A GPU compute pass of the simulation of waves and foam, which [`WavePasses::record`] can run alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +45,27 @@ pub struct WavePasses<'a> {
     dispatch: SeaDispatch,
     /// Dynamic offset, bytes, of the uniform for the foam pass in the buffer of foam uniforms.
     foam_uniform_offset: u32,
+}
+
+impl MapSizes {
+    /// Sizes of the maps of a sea on a GPU, where they are of half floats.
+    pub fn planned(plan: &Plan) -> Self {
+        Self {
+            map_texels_per_side: plan.n,
+            cascades: plan.cascades.len() as u32,
+            foam_cells_per_side: foam_cells_per_side(plan.n),
+            format: MapFormat::Half,
+        }
+    }
+}
+
+/// Number of vertices of the water mesh in a picture of `size` (width, height) pixels of the sea of `params`, whose
+/// plan is `plan`.
+pub fn planned_vertex_count(params: &Params, plan: &Plan, size: [u32; 2]) -> u32 {
+    let sea = SeaAppearance::new(plan, &params.look);
+    let [width, height] = size.map(f64::from);
+    let camera = relative_to_still_water(&params.camera, sea.still_water_level_m);
+    planned_mesh_vertices(&View::new(&camera, width / height, MIN_EYE_HEIGHT_M), &sea, &params.look, size)
 }
 
 impl Ocean {

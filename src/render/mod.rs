@@ -27,6 +27,8 @@ use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::sim::maps::TileLatticePosition;
+use crate::state::camera::View;
+use crate::state::look::Look;
 use crate::state::views::DisplayedView;
 use film::present::{PresentPass, PresentUniform};
 use frame::{FrameCascade, FrameFoamGrid};
@@ -146,7 +148,7 @@ impl Renderer {
         let hdr = self.ensure_targets(gpu, size).hdr.clone();
         self.present_pass.set_picture(gpu, &hdr, &scene.look.film);
         self.present_pass.write_uniform(gpu, scene, size);
-        let mesh = mesh_for_picture(scene, size);
+        let mesh = mesh_for_picture(&scene.view, &scene.sea, &scene.look, size);
         self.prepare_frame(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         self.shows_view = scene.look.view.displayed != DisplayedView::Picture;
         if self.shows_view {
@@ -258,12 +260,18 @@ impl Renderer {
 
 /// The water mesh for a picture of `size` (width, height) pixels. Its number of vertices grows with the square root of
 /// the number of pixels: a small picture can afford more vertices per pixel.
-fn mesh_for_picture(scene: &Scene, size: [u32; 2]) -> Mesh {
+fn mesh_for_picture(view: &View, sea: &SeaAppearance, look: &Look, size: [u32; 2]) -> Mesh {
     let pixels = f64::from(size[0]) * f64::from(size[1]) / DEFAULT_MESH_PIXELS;
-    Mesh::new(&scene.view, &scene.sea, scene.look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), scene.look.extent_km)
+    Mesh::new(view, sea, look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), look.extent_km)
+}
+
+/// Number of vertices of the water mesh in a picture of `size` (width, height) pixels that `view` shows of a sea.
+pub fn planned_mesh_vertices(view: &View, sea: &SeaAppearance, look: &Look, size: [u32; 2]) -> u32 {
+    let mesh = mesh_for_picture(view, sea, look, size);
+    (mesh.drawn_columns + 1) * mesh.lattice.rows
 }
 
 /// The frame uniform of a picture of `size` (width, height) pixels, for tests that call WGSL functions of the renderer.
 pub fn frame_uniform(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
-    FrameUniform::new(scene, maps, &mesh_for_picture(scene, size), size)
+    FrameUniform::new(scene, maps, &mesh_for_picture(&scene.view, &scene.sea, &scene.look, size), size)
 }

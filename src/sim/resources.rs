@@ -89,12 +89,17 @@ impl WaveBuffers {
     }
 }
 
+/// Number of cells along a side of a foam level of a sea whose maps have `n` texels along a side.
+pub fn foam_cells_per_side(n: u32) -> u32 {
+    n.min(256)
+}
+
 impl Resources {
     /// Allocates buffers and textures for a plan's FFT size and number of cascades, with maps in the given format.
     /// Fills only the twiddle factors.
     pub fn new(gpu: &Gpu, plan: &Plan, format: MapFormat) -> Self {
         let (n, cascades) = (plan.n, plan.cascades.len());
-        let foam_n = n.min(256);
+        let foam_n = foam_cells_per_side(n);
         let twiddle = gpu.storage_buffer("twiddle", (TWIDDLE_COUNT * size_of::<[f32; 2]>()) as u64);
         gpu.queue.write_buffer(&twiddle, 0, bytemuck::cast_slice(&twiddle_factors()));
         Self {
