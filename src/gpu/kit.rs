@@ -1,5 +1,6 @@
 //! A device with its queue, and short functions that create the buffers, textures and pipelines of the passes.
 
+use super::observer::{Made, report};
 use std::num::NonZeroU64;
 
 /// A wgpu device and its queue. Clones stand for the same device.
@@ -201,7 +202,9 @@ impl Gpu {
         };
         let entries: Vec<_> = (0..).zip(bindings).map(entry).collect();
         let descriptor = wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries };
-        self.device.create_bind_group_layout(&descriptor)
+        let layout = self.device.create_bind_group_layout(&descriptor);
+        report(&Made::Layout(&layout, bindings));
+        layout
     }
 
     /// Creates a bind group with the given layout. `resources` become its bindings 0, 1, 2 and so on.
@@ -220,10 +223,12 @@ impl Gpu {
 
     /// Compiles the WGSL text `source` to a shader module. `label` is its name in error messages and debuggers.
     pub fn shader_module(&self, label: &str, source: &str) -> wgpu::ShaderModule {
-        self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),
             source: wgpu::ShaderSource::Wgsl(source.into()),
-        })
+        });
+        report(&Made::Module(&module, label, source));
+        module
     }
 
     /// Creates a compute pipeline from an entry point of a module, the layouts of its bind groups 0, 1, 2 and so on,
@@ -235,6 +240,7 @@ impl Gpu {
         layouts: &[&wgpu::BindGroupLayout],
         constants: &[(&str, f64)],
     ) -> wgpu::ComputePipeline {
+        report(&Made::Compute(label, module, entry, layouts, constants));
         self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some(label),
             layout: Some(&self.pipeline_layout(label, layouts)),
@@ -254,6 +260,7 @@ impl Gpu {
         layouts: &[&wgpu::BindGroupLayout],
         onto: &AttachmentFormats<'_>,
     ) -> wgpu::RenderPipeline {
+        report(&Made::Render(label, program, onto));
         let RenderProgram { module, entry_points: [vertex, fragment], constants } = *program;
         let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
         let targets: Vec<_> = onto.formats.iter().map(|&format| Some(format.into())).collect();

@@ -4,6 +4,7 @@ pub mod device;
 pub mod kit;
 pub mod layout;
 pub mod map_format;
+pub mod observer;
 pub mod offscreen;
 pub mod readback;
 pub mod timer;
