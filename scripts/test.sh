@@ -6,6 +6,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 # The steps of the whole run and of the quick run, in order. The step `page` runs beside the steps before it.
 WHOLE=(format clippy clippy-page library page-tools native window page browsers)
+# A command that compiles a folder of shaders (`examples/shaders.rs`) and prints the registers that they need as JSON.
+[ -z "${SEASTATE_SHADER_COMPILER:-}" ] || WHOLE+=(registers)
 QUICK=(format clippy clippy-page library page-tools cpu passes smoke)
 # Integration tests that need no GPU, or few of whose tests need one. The unit tests of the library run with them.
 CPU_TESTS=(cli costs docs families heights hostile imports links shaders state validation)
@@ -69,6 +71,10 @@ smoke() {
   mkdir -p "$dist"
   NO_COLOR=true trunk build --dist "$dist" &&
     (cd web/tests && node run.mjs --dist "$dist" --browser chromium --group sea --only 'a sea is seen')
+}
+registers() {
+  cargo run --locked --example shaders -- target/shaders &&
+    $SEASTATE_SHADER_COMPILER target/shaders >target/shader-registers.json
 }
 
 need_rust

@@ -80,8 +80,8 @@ impl fmt::Display for Budget<'_> {
             let ([width, height], MapSizes { map_texels_per_side: n, cascades, .. }) = (size, work.maps);
             writeln!(
                 f,
-                "frame of {width}x{height}, {:.0} % of it below the horizon; {:.2} million vertices; {cascades} cascades \
-                 of {n}^2 in half floats",
+                "frame of {width}x{height}, {:.0} % of it below the horizon; {:.2} million vertices; \
+                 {cascades} cascades of {n}^2 in half floats",
                 100.0 * work.picture.sea_fraction,
                 1e-6 * work.picture.vertices
             )?;

@@ -35,7 +35,7 @@ impl Shown {
     }
 }
 
-/// What a fragment returns instead of its colour: the number that [`Shown`] selects in red and green, and `tag` in blue.
+/// What a fragment returns instead of its colour: the number that [`Shown`] selects in red and green, `tag` in blue.
 /// All are multiples of 1/255, which textures of bytes and of half floats hold.
 fn pixel_text(count: usize, tag: u8) -> String {
     format!(
@@ -123,11 +123,11 @@ fn instrumented(text: &str, entry: &str, result: impl Fn(usize) -> String) -> In
 /// Names of the functions that an entry point calls, directly or not, then its own.
 fn reached(module: &Module, entry: &str) -> Vec<String> {
     fn visit(module: &Module, block: &Block, found: &mut Vec<String>) {
-        for statement in block.iter() {
+        for statement in block {
             match statement {
                 Statement::Block(block) => visit(module, block, found),
                 Statement::If { accept, reject, .. } => {
-                    [accept, reject].into_iter().for_each(|b| visit(module, b, found))
+                    [accept, reject].into_iter().for_each(|b| visit(module, b, found));
                 }
                 Statement::Switch { cases, .. } => cases.iter().for_each(|case| visit(module, &case.body, found)),
                 Statement::Loop { body, continuing, .. } => {
