@@ -14,6 +14,7 @@ use half::f16;
 use instrument::{Instrumented, Shown};
 use naga::TypeInner;
 use seastate::bench::cost::{self, ShaderCost};
+use seastate::gpu::kit::BindingType;
 use seastate::gpu::offscreen::PendingPicture;
 use seastate::gpu::{Gpu, readback};
 use seastate::ocean::passes::planned_vertex_count;
@@ -205,4 +206,42 @@ fn the_costs_of_mesh_and_film_are_what_they_execute() {
         ("MESH_FRAGMENT_COST", without_loops("water/light", "mesh_fragment"), cost::MESH_FRAGMENT_COST),
         ("PRESENT_FRAGMENT_COST", of_pixels(&present, &shown, 100), cost::PRESENT_FRAGMENT_COST),
     ]);
+}
+
+#[test]
+fn loops_branches_and_calls_count_as_often_as_they_run() {
+    let shader = instrument::compute(
+        "fn twice(x: f32) -> f32 { return x * 2.0 + 1.0; }
+        @compute @workgroup_size(1)
+        fn main(@builtin(global_invocation_id) id: vec3u) {
+          var sum = f32(id.x);
+          for (var i = 0u; i < id.x; i++) {
+            if i == 1u { continue; }
+            sum = twice(sum);
+          }
+        }",
+        "main",
+    );
+    assert_eq!(shader.functions, ["twice", "main"]);
+    let gpu = common::gpu();
+    let sums = gpu.storage_buffer("sums", 24);
+    let module = gpu.shader_module("counts", &shader.text);
+    let layouts = [[].as_slice(), &[], &[BindingType::StorageReadWrite(24)]]
+        .map(|bindings| gpu.bind_group_layout("counts", wgpu::ShaderStages::COMPUTE, bindings));
+    let pipeline = gpu.compute_pipeline("counts", (&module, "main"), &layouts.each_ref(), &[]);
+    let groups = [[].as_slice(), &[], &[sums.as_entire_binding()]];
+    let mut encoder = gpu.encoder("counts");
+    let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+    pass.set_pipeline(&pipeline);
+    for (i, resources) in groups.iter().enumerate() {
+        pass.set_bind_group(i as u32, &gpu.bind_group("counts", &layouts[i], resources), &[]);
+    }
+    pass.dispatch_workgroups(4, 1, 1);
+    drop(pass);
+    let staging = readback::stage_buffer(&gpu, &mut encoder, &sums);
+    gpu.submit(encoder);
+    let sums: Vec<u32> =
+        bytemuck::pod_collect_to_vec(&pollster::block_on(readback::read(&gpu, staging)).expect("read-back"));
+    // Threads 0 to 3 call `twice` 0, 1, 1 and 2 times. `main` converts once a thread, and compares, adds and compares.
+    assert_eq!(sums, [2 * 4, 0, 4 + (1 + 2 + 3 + 4) + 2 * (1 + 2 + 3), 0, 2 * 2 + 1 + 4 + 2 * 3, 0]);
 }
