@@ -636,7 +636,7 @@ const FAULTS: &[Fault] = &[
         "F1: Fresnel's fractions upside down",
         &[
             (
-                "return clamp(0.5 * up * up * (s * s + p * p) / (over * over), 0.0, 1.0);",
+                "return 0.5 * up * up * (s * s + p * p) / (over * over);",
                 "return 0.5 * down * down * (s * s + p * p) / (up * up * p * p);",
             ),
             (
@@ -682,7 +682,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "G2: in the glitter",
-        &[("water_slope_density(mirror_slope - slope.mean", "water_slope_density(-mirror_slope - slope.mean")],
+        &[("let off = mirror_slope - part.mean;", "let off = -mirror_slope - part.mean;")],
         "glitter where nothing is masked",
     ),
     Fault("G2: in the mirrored sky", &[("t.mean = -dot(", "t.mean = dot(")], "reflectance of a facet"),
@@ -710,8 +710,8 @@ const FAULTS: &[Fault] = &[
     Fault(
         "the indices exchanged",
         &[(
-            "let index = material.index_water / material.index_air;\n  if WATER_SCHLICK",
-            "let index = material.index_air / material.index_water;\n  if WATER_SCHLICK",
+            "let index = material.relative_index;\n  if WATER_SCHLICK",
+            "let index = material.inverse_relative_index;\n  if WATER_SCHLICK",
         )],
         "hemispherical reflectance",
     ),
@@ -740,7 +740,7 @@ const FAULTS: &[Fault] = &[
         &[("let reach = depth_m *", "let reach = 0.1 * depth_m *")],
         "contrast of caustics under 0.05",
     ),
-    Fault("the light's way back mirrored", &[("2.0 * facing * n - v", "v - 2.0 * facing * n")], "mirrored direction"),
+    Fault("the light's way back mirrored", &[("let mirrored = (2.0 *", "let mirrored = (-2.0 *")], "mirrored direction"),
 ];
 
 #[test]

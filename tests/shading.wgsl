@@ -15,8 +15,7 @@ fn ask_fresnel(cosine: f32, kind: vec4f, indices: vec4f) -> f32 {
   WATER_SCHLICK = kind.x > 0.0;
   material.schlick_exponent = kind.y;
   material.fresnel_scale = kind.z;
-  material.index_water = indices.y;
-  material.index_air = indices.z;
+  material.relative_index = indices.y / indices.z;
   return water_fresnel(cosine);
 }
 

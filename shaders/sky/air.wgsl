@@ -27,15 +27,17 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   }
   // The look-up table holds the light of the air down to the still sea. A wave crest has less air in front of it.
   let below = min(atm_asin(dir.y) + frame.horizon_dip, -1e-5);
-  let dip = sin(frame.horizon_dip);
+  // The dip is so small that it equals its sine.
+  let dip = frame.horizon_dip;
   let fall = max(-dir.y, dip);
   // At the horizon, a fused multiply-add can make the difference of two equal squares negative.
   let root = max(fall * fall - dip * dip, 0.0);
   let whole_km = ATM_EARTH_RADIUS_KM * (fall - sqrt(root));
-  let whole = atm_linear_srgb(exp(-extinction * whole_km)) * AIR_INVERSE_SUN;
-  let share = clamp((1.0 - through) / max(1.0 - whole, vec3f(1e-6)), vec3f(0.0), vec3f(1.0));
+  // The shares of all wavelengths are as good as equal, because the two distances are.
+  let opacities = 1.0 - exp(-extinction.y * vec2f(km, whole_km));
+  let share = min(opacities.x / max(opacities.y, 1e-6), 1.0);
   let clear = sky_clear_radiance(dir, below) * share;
-  let grey = sky_overcast_radiance(0.0) * (1.0 - through);
+  let grey = light.overcast_zenith_radiance * (1.0 / 3.0) * (1.0 - through);
   return array<vec3f, 2>(mix(clear, grey, sky.overcast * sky.overcast), through);
 }
 

@@ -64,7 +64,8 @@ fn atm_aerosol_phase(c: f32) -> f32 {
 
 // Henyey-Greenstein phase function, 1/sr; c is the cosine of the scattering angle.
 fn atm_henyey_greenstein(c: f32, g: f32) -> f32 {
-  return (1.0 - g * g) / (4.0 * ATM_PI * pow(max(1.0 + g * g - 2.0 * g * c, 1e-4), 1.5));
+  let square = max(1.0 + g * g - 2.0 * g * c, 1e-4);
+  return (1.0 - g * g) / (4.0 * ATM_PI * square * sqrt(square));
 }
 
 // Arc sine with an error of at most 3e-7 (Moshier's Cephes). It replaces WGSL's function, for which SwiftShader calls

@@ -1,5 +1,18 @@
 // Size of the look-up table of the clear sky, texels: azimuth by elevation.
 const SKY_VIEW_SIZE = vec2f(192.0, 128.0);
+
+// Coordinate along the rows of that table, 0 to 1, of an azimuth from the sun with the given cosine: the root of the sine
+// of half the azimuth. Columns lie closest at the sun.
+fn sky_view_azimuth_coordinate(cosine: f32) -> f32 {
+  return sqrt(sqrt(max(0.5 - 0.5 * cosine, 0.0)));
+}
+
+// The inverse: cosine of the azimuth from the sun at a coordinate.
+fn sky_view_azimuth_cosine(u: f32) -> f32 {
+  let sine = u * u;
+  return 1.0 - 2.0 * sine * sine;
+}
+
 // Night sky at the zenith, linear sRGB radiance: 3e-4 cd/m^2, where the sun above the air gives 128 klx.
 const SKY_NIGHT_RADIANCE = vec3f(2.6e-8, 4.6e-8, 1.05e-7);
 

@@ -10,14 +10,12 @@ override SKY_CLOUDS = true;
 
 // Radiance of clear air in a direction. `above` is the elevation above the visible horizon, rad.
 fn sky_clear_radiance(dir: vec3f, above: f32) -> vec3f {
-  let flat_dir = normalize(dir.xz + vec2f(1e-9, 0.0));
-  let flat_sun = normalize(sky.sun_direction.xz + vec2f(1e-9, 0.0));
-  let azimuth = 0.5 * ATM_PI - atm_asin(dot(flat_dir, flat_sun));
+  let cos_azimuth = dot(normalize(dir.xz + vec2f(1e-9, 0.0)), sky.sun_heading);
   let half_rows = SKY_VIEW_SIZE.y / 2.0;
   let span = select(0.5 * ATM_PI - sky.horizon_dip, 0.5 * ATM_PI + sky.horizon_dip, above >= 0.0);
   let s = sqrt(min(abs(above) / span, 1.0)) * (half_rows - 1.0);
   let row = select(half_rows - 1.0 - s, half_rows + s, above >= 0.0);
-  let uv = vec2f(atm_table_coordinate(sqrt(azimuth / ATM_PI), SKY_VIEW_SIZE.x), (row + 0.5) / SKY_VIEW_SIZE.y);
+  let uv = vec2f(atm_table_coordinate(sky_view_azimuth_coordinate(cos_azimuth), SKY_VIEW_SIZE.x), (row + 0.5) / SKY_VIEW_SIZE.y);
   return textureSampleLevel(sky_view_map, sky_sampler, uv, 0.0).rgb;
 }
 

@@ -21,13 +21,12 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let upper = y >= half_rows;
   let s = select(half_rows - 1.0 - y, y - half_rows, upper) / (half_rows - 1.0);
   let h = sky.eye_height_km;
-  let u = f32(id.x) / (SKY_VIEW_SIZE.x - 1.0);
-  let azimuth = ATM_PI * u * u;
+  let cos_azimuth = sky_view_azimuth_cosine(f32(id.x) / (SKY_VIEW_SIZE.x - 1.0));
   let above = select(-s * s * (0.5 * ATM_PI - sky.horizon_dip), s * s * (0.5 * ATM_PI + sky.horizon_dip), upper);
   let elevation = above - sky.horizon_dip;
   let mu = sin(elevation);
   let flat_sun = sqrt(max(1.0 - sky.sun_direction.y * sky.sun_direction.y, 0.0));
-  let nu = cos(elevation) * cos(azimuth) * flat_sun + mu * sky.sun_direction.y;
+  let nu = cos(elevation) * cos_azimuth * flat_sun + mu * sky.sun_direction.y;
   var far = atm_distance_to_top(h, mu);
   if !upper {
     // Close to the horizon, rounding may make the ray miss the sea. Its lowest point is taken then.

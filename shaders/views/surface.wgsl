@@ -31,18 +31,15 @@ fn view_line_coverage(at: vec3f, width: vec3f) -> f32 {
 }
 
 // Fraction of a pixel's light that comes from foam, 0 to 1.
-fn view_foam_cover(at: vec2f, dx: vec2f, dy: vec2f) -> f32 {
-  let pixel = foam_footprint(dx, dy);
-  let level = foam_level(at, pixel);
-  return select(0.0, foam_appearance(at, pixel, level).cover, level.x >= FOAM_MIN_AMOUNT);
+fn view_foam_cover(at: vec2f, foot: WaterFootprint) -> f32 {
+  let level = foam_level(at, foot);
+  return select(0.0, foam_appearance(at, foot, level).cover, level.x >= FOAM_MIN_AMOUNT);
 }
 
 @fragment
 fn fragment(in: SurfaceFragment) -> @location(0) vec4f {
   let at = in.undisplaced;
-  let dx = dpdx(at);
-  let dy = dpdy(at);
-  let foot = water_footprint(dx, dy);
+  let foot = water_footprint(dpdx(at), dpdy(at));
   let facet = normalize(cross(dpdy(in.position), dpdx(in.position)));
   // Edges of triangles lie at integer columns, rows, and sums of both, which are the diagonals.
   let edges = vec3f(in.lattice, in.lattice.x + in.lattice.y);
@@ -59,7 +56,7 @@ fn fragment(in: SurfaceFragment) -> @location(0) vec4f {
     case 4u: {
       return view_colour(foot.log_texel_m + frame.cascades[tile.layer].log_texels_per_m, tile);
     }
-    case 5u: { return view_colour(view_foam_cover(at, dx, dy), tile); }
+    case 5u: { return view_colour(view_foam_cover(at, foot), tile); }
     default: {
       let fill = vec3f(0.05, 0.12, 0.17) * (0.4 + 0.6 * abs(dot(facet, vec3f(0.48, 0.8, 0.36))));
       return vec4f(mix(fill, vec3f(0.62, 0.88, 0.94), 0.8 * view_line_coverage(edges, width)), 1.0);

@@ -34,7 +34,7 @@ fn bed_focusing_slope(at: vec2f) -> vec2f {
 // Irradiance by the sun at a point of the bed, relative to its mean. A ray that enters the water at s meets the bed at
 // s + reach grad(eta)(s), with the elevation eta and its Hessian H. So light is focused by 1 / |det(I + reach H)|.
 fn bed_caustic_gain(entry: vec2f, depth_m: f32) -> f32 {
-  let reach = depth_m * (1.0 - material.index_air / material.index_water);
+  let reach = depth_m * (1.0 - material.inverse_relative_index);
   // Two fixed-point steps find where the ray that arrives at the given point enters the water.
   var at = entry - reach * bed_focusing_slope(entry);
   at = entry - reach * bed_focusing_slope(at);

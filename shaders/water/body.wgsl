@@ -9,10 +9,12 @@ const WATER_PLUME_DEPTH_M = 0.8;
 const WATER_CREST_MEAN_COSINE = 0.6;
 
 // Direction in the water of light that arrives along `dir` at a surface of normal `n`; reversed, the path to the eye.
+// Total reflection leaves no refracted ray; the limit is a ray that is nearly along the surface.
 fn water_refract(dir: vec3f, n: vec3f) -> vec3f {
-  let bent = refract(dir, n, material.index_air / material.index_water);
-  // Total reflection leaves no refracted ray; the limit is a ray along the surface.
-  return select(normalize(dir - n * dot(dir, n) - 0.05 * n), bent, dot(bent, bent) > 0.5);
+  let ratio = material.inverse_relative_index;
+  let cosine = dot(dir, n);
+  let square = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+  return ratio * dir - (ratio * cosine + sqrt(max(square, 2.5e-3))) * n;
 }
 
 // Backscattering coefficient of the bubbles, 1/m, where foam has lately covered the fraction `plume` of the surface.
@@ -20,16 +22,15 @@ fn water_bubble_backscatter(plume: f32) -> f32 {
   return WATER_PLUME_BACKSCATTER * material.bubble_density * plume * plume;
 }
 
-// Irradiance reflectance just below the surface, of deep water under a layer of bubbles. Deep water with absorption a
-// and backscattering bb reflects 0.33 bb / a if bb is small (Morel and Prieur 1977), and 1 if a is 0.
+// Irradiance reflectance just below the surface, of deep water under a layer of bubbles.
 fn water_reflectance(plume: f32) -> vec3f {
-  let up = 0.33 * material.backscatter;
-  let deep = up / (material.absorption + up);
-  if plume <= 0.0 {
-    return deep;
+  // Fewer bubbles reflect less than a hundredth of what the water does.
+  if plume < WATER_MIN_PLUME {
+    return material.deep_reflectance;
   }
   let past = exp(-2.0 * WATER_PLUME_DEPTH_M * water_bubble_backscatter(plume));
-  return (1.0 - past) * material.bubble_colour * exp(-3.5 * WATER_PLUME_DEPTH_M * material.absorption) + past * deep;
+  return (1.0 - past) * material.bubble_colour * exp(-3.5 * WATER_PLUME_DEPTH_M * material.absorption)
+    + past * material.deep_reflectance;
 }
 
 // Irradiance by the sun that enters the water where the waves, without their ripples, have the normal `n`.
@@ -39,15 +40,15 @@ fn water_entering_sunlight(n: vec3f) -> vec3f {
   return light.sun_irradiance * (facing * (1.0 - water_fresnel(max(dot(n, l), 0.0))));
 }
 
+// Fraction of the surface lately covered by foam, below which the bubbles do not count.
+const WATER_MIN_PLUME = 0.01;
 // Fraction of the skylight that enters the water.
 const WATER_SKYLIGHT_TRANSMITTANCE = 0.934;
 
 // Radiance inside the water that travels up to the surface from deep water. `ray` points from the eye into the water.
 fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
   let r = water_reflectance(plume);
-  // Sine of the sun's elevation as seen from below a level surface, by Snell's law.
-  let ratio = material.index_air / material.index_water;
-  let sun_in = sqrt(max(1.0 - ratio * ratio * (1.0 - frame.sun_direction.y * frame.sun_direction.y), 0.0));
+  let sun_in = material.refracted_sun_sine;
   // Light scattered once: the flatter the viewing ray, the more sunlit water lies along it.
   let view = (sun_in + 0.85) / (sun_in + clamp(-ray.y, 0.3, 1.0));
   let view_factor = max(mix(1.0, view, material.scatter_view_dependence), 0.0);

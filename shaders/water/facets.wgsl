@@ -21,20 +21,35 @@ fn water_projected_area(height: f32, across: f32, mean: f32, sigma: f32) -> f32 
   return scale * max(density * (1.0 - abs(a) * tail) + max(a, 0.0), 1e-7);
 }
 
-// Probability density of slopes with the covariance `variance` (xx, zz, xz), at the distance `off` from their mean.
-fn water_slope_density(off: vec2f, variance: vec3f) -> f32 {
-  // The finite disc of the sun widens the range of slopes that reflect it.
-  let xx = variance.x + frame.sun_slope_variance;
-  let zz = variance.y + frame.sun_slope_variance;
-  let xz = variance.z;
-  let det = max(xx * zz - xz * xz, 0.02 * xx * zz);
-  let square = (zz * off.x * off.x - 2.0 * xz * off.x * off.y + xx * off.y * off.y) / det;
-  let peak = 1.0 / (2.0 * ATM_PI * sqrt(det));
+// Probability density of slopes around their mean.
+struct WaterSlopeDensity {
+  // Inverse (xx, zz, xz) of the covariance.
+  inverse: vec3f,
+  // Density at the mean.
+  peak: f32,
+}
+
+// Density of slopes with the covariance `variance` (xx, zz, xz). The finite disc of the sun widens the range of slopes
+// that reflect it.
+fn water_slope_density(variance: vec3f) -> WaterSlopeDensity {
+  let wide = variance + vec3f(vec2f(frame.sun_slope_variance), 0.0);
+  let product = wide.x * wide.y;
+  let over = inverseSqrt(max(product - wide.z * wide.z, 0.02 * product));
+  return WaterSlopeDensity((over * over) * vec3f(wide.yx, -wide.z), over * (0.5 / ATM_PI));
+}
+
+// Square of the distance `off` from the mean slope, in standard deviations.
+fn water_slope_distance(density: WaterSlopeDensity, off: vec2f) -> f32 {
+  return max(dot(density.inverse.xy, off * off) + 2.0 * density.inverse.z * off.x * off.y, 0.0);
+}
+
+// Density at a slope whose distance from the mean has the square `square`, in standard deviations.
+fn water_slope_density_at(density: WaterSlopeDensity, square: f32) -> f32 {
   if WATER_GGX {
-    let w = 1.0 + 0.5 * max(square, 0.0);
-    return peak / (w * w);
+    let w = 1.0 + 0.5 * square;
+    return density.peak / (w * w);
   }
-  return peak * exp(-0.5 * clamp(square, 0.0, 160.0));
+  return density.peak * exp(-0.5 * min(square, 160.0));
 }
 
 // Tilt of the surface towards one direction: minus the slope along it.
@@ -88,7 +103,9 @@ fn water_tilt_projected_area(t: WaterTilt) -> vec2f {
   return vec2f(water_projected_area(t.height, t.across, t.mean, t.sigma), t.height + t.across * t.mean);
 }
 
-const WATER_QUADRATURE_NODES = 8;
+// Number of nodes of the quadrature over slopes: one for each step of the slope by WATER_NODE_STEP, within these limits.
+const WATER_NODES = vec2f(4.0, 8.0);
+const WATER_NODE_STEP = 0.06;
 
 // Quadrature over the slopes that are visible from a direction, weighted by projected area.
 struct WaterQuadrature {
@@ -99,19 +116,30 @@ struct WaterQuadrature {
   low: f32,
   from_t: f32,
   range: f32,
+  // Number of nodes, and the fraction of the range that each represents.
+  nodes: i32,
+  part: f32,
   // Slope at tilt 0, and its change with the tilt.
   slope: vec2f,
   slope_per_tilt: vec2f,
   // Variance of the slope across the direction, given the slope along it.
   side_variance: f32,
+  // Layer of the mirrored sky for all nodes; with GGX, each node has its own.
+  sky_layer: f32,
 }
 
 struct WaterQuadratureNode {
   slope: vec2f,
   side_variance: f32,
   weight: f32,
-  // Interval of slopes that the node represents.
-  slope_interval: f32,
+  // Layer of the mirrored sky that is blurred as widely as the node's interval of slopes turns the mirrored ray.
+  sky_layer: f32,
+}
+
+// Layer of the mirrored sky for an interval of slopes: an even distribution over the interval has a deviation of
+// interval / sqrt(12), and a slope turns the mirrored ray by twice its angle.
+fn water_sky_layer(interval: f32) -> f32 {
+  return mirrored_sky_layer(0.5 * interval);
 }
 
 fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
@@ -130,6 +158,11 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
   }
   q.slope = f.side * f.side_mean - f.tilt.toward * f.tilt.mean;
   q.slope_per_tilt = -(f.tilt.toward * f.tilt.sigma + f.side * f.tilt_side_shear);
+  let width = q.range * f.tilt.sigma;
+  let nodes = select(clamp(ceil(width * (1.0 / WATER_NODE_STEP)), WATER_NODES.x, WATER_NODES.y), WATER_NODES.y, WATER_GGX);
+  q.nodes = i32(nodes);
+  q.part = 1.0 / nodes;
+  q.sky_layer = water_sky_layer(width * q.part);
   q.side_variance = max(f.side_sigma * f.side_sigma - f.tilt_side_shear * f.tilt_side_shear, 0.0);
   return q;
 }
@@ -137,28 +170,27 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
 // Node i of a quadrature over slopes whose tilt has the deviation `sigma`. Small even steps resolve the edge of the sky
 // that the slopes reflect.
 fn water_quadrature_node(q: WaterQuadrature, sigma: f32, i: i32) -> WaterQuadratureNode {
-  let at = (f32(i) + 0.5) * (1.0 / f32(WATER_QUADRATURE_NODES));
-  var t: f32;
+  let at = (f32(i) + 0.5) * q.part;
   var node: WaterQuadratureNode;
-  node.side_variance = q.side_variance;
   if WATER_GGX {
     // The visible area beyond the slope alpha tan(a) is (r cos(a + phi) + c) / 2. Nodes are steps of this area, finer
     // towards facets seen at grazing angles, which reflect most.
     let area = at * (1.4 - 0.4 * at);
     let a = q.range - atm_asin((area * (q.from_t + q.low) - q.low) / q.from_t);
-    t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
+    let t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
     node.weight = 1.4 - 0.8 * at;
-    node.slope_interval = 1.3 * node.weight * sigma * (1.0 + 0.5 * t * t) / f32(WATER_QUADRATURE_NODES);
+    node.sky_layer = water_sky_layer(1.3 * node.weight * sigma * (1.0 + 0.5 * t * t) * q.part);
     // With GGX, a large slope along the direction makes a large slope across it more likely.
-    node.side_variance *= 0.5 * (2.0 + t * t);
-  } else {
-    t = q.from_t + at * q.range;
-    // Scaled, so that not all weights underflow in the far tail. Differences come first, to keep their precision there.
-    let scale = max(q.low, 0.0);
-    let past = q.from_t - scale + at * q.range;
-    node.weight = exp(-0.5 * past * (t + scale)) * (q.from_t - q.low + at * q.range);
-    node.slope_interval = q.range * sigma * (1.0 / f32(WATER_QUADRATURE_NODES));
+    node.side_variance = q.side_variance * 0.5 * (2.0 + t * t);
+    node.slope = q.slope + t * q.slope_per_tilt;
+    return node;
   }
-  node.slope = q.slope + t * q.slope_per_tilt;
+  let off = at * q.range;
+  // Scaled, so that not all weights underflow in the far tail. Differences come first, to keep their precision there.
+  let scale = max(q.low, 0.0);
+  node.weight = exp(-0.5 * (q.from_t - scale + off) * (q.from_t + scale + off)) * (q.from_t - q.low + off);
+  node.sky_layer = q.sky_layer;
+  node.side_variance = q.side_variance;
+  node.slope = q.slope + (q.from_t + off) * q.slope_per_tilt;
   return node;
 }

@@ -24,15 +24,6 @@ const FOAM_MAX_NOISE_TAPS = 4;
 // Length over which the finest noise changes, m.
 const FOAM_FINEST_DETAIL_M = 0.02;
 
-// Footprint of a pixel on the undisplaced sea, as foam needs it.
-struct FoamFootprint {
-  // Longer and shorter side as vectors, m, and the footprint's length and width, m.
-  along: vec2f,
-  across: vec2f,
-  length_m: f32,
-  width_m: f32,
-}
-
 // Appearance of the foam in a pixel.
 struct FoamAppearance {
   // Fraction of the pixel's light that comes from foam: the covered area, less where foam is thin.
@@ -45,49 +36,42 @@ struct FoamAppearance {
   rough: f32,
 }
 
-fn foam_footprint(dx: vec2f, dy: vec2f) -> FoamFootprint {
-  let swap = dot(dx, dx) > dot(dy, dy);
-  let along = select(dy, dx, swap);
-  let large = length(along);
-  return FoamFootprint(along, select(dx, dy, swap), large, water_footprint_width_m(dx, dy, large));
-}
-
-// Foam (x) and its current source (y) from the finest valid level that is no finer than the pixel; else their means.
-fn foam_map_sample(at: vec2f, footprint: f32) -> vec2f {
+// Foam (x) and its current source (y) in a pixel, 0 to 1, from the finest levels that hold the pixel and are no finer than
+// it; beyond all levels, their means.
+fn foam_level(at: vec2f, pixel: WaterFootprint) -> vec2f {
+  let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
+  // One sample per cell of the finest level along the pixel.
+  let taps = clamp(i32(ceil(pixel.length_m * frame.foam_levels[0].inverse_cell)), 1, FOAM_MAX_MAP_TAPS);
+  let step = pixel.axis / f32(taps);
+  let first = at + 0.5 * (step - pixel.axis);
   var foam = vec2f(0.0);
   var left = 1.0;
   for (var level = 0u; level < frame.foam_level_count && left > 0.0; level++) {
     let map = frame.foam_levels[level];
-    let off = abs(at - map.centre);
-    let inside = 1.0 - smoothstep(0.8, 1.0, max(off.x, off.y) / map.half_side_m);
-    let coarse = clamp(2.0 - 0.5 * footprint * map.inverse_cell, 0.0, 1.0);
-    let share = inside * coarse;
+    let off = abs(at - map.centre) + 0.5 * abs(pixel.axis);
+    let inside = clamp(5.0 - 5.0 * max(off.x, off.y) / map.half_side_m, 0.0, 1.0);
+    let coarse = clamp(2.0 - 0.5 * whole_m * map.inverse_cell, 0.0, 1.0);
+    let share = left * inside * coarse;
     if share <= 0.0 {
       continue;
     }
-    let uv = map.uv_below_eye + at * map.inverse_side;
-    foam += (left * share) * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
-    left *= 1.0 - share;
+    var uv = map.uv_below_eye + first * map.inverse_side;
+    var sum = vec2f(0.0);
+    for (var i = 0; i < taps; i++) {
+      sum += textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
+      uv += step * map.inverse_side;
+    }
+    foam += (share / f32(taps)) * sum;
+    left -= share;
   }
-  return foam + (left * frame.mean_foam) * vec2f(1.0, 0.1);
-}
-
-// Foam (x) and its current source (y) in a pixel, 0 to 1.
-fn foam_level(at: vec2f, pixel: FoamFootprint) -> vec2f {
-  let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
-  // One sample per cell of the finest level along the pixel.
-  let taps = clamp(i32(ceil(pixel.length_m * frame.foam_levels[0].inverse_cell)), 1, FOAM_MAX_MAP_TAPS);
-  var level = vec2f(0.0);
-  for (var i = 0; i < taps; i++) {
-    level += foam_map_sample(at + pixel.along * ((f32(i) + 0.5) / f32(taps) - 0.5), whole_m);
-  }
-  return clamp(level * (frame.foam_amount / f32(taps)), vec2f(0.0), vec2f(1.0));
+  foam += (left * frame.mean_foam) * vec2f(1.0, 0.1);
+  return min(foam * frame.foam_amount, vec2f(1.0));
 }
 
 // Gradient of one channel of a noise layer, 1/m, over a step that the pixel resolves. `here` is the value at `at`.
 fn foam_noise_gradient(layer: u32, channel: u32, at: vec2f, size: f32, lod: f32, here: f32) -> vec2f {
   let fine = max(lod, 0.0);
-  let step = max(size, 0.5 * exp2(fine) / exp2(material_lod(layer, 1.0)));
+  let step = max(size, 0.5 * exp2(fine - material.noise_layers[layer].log_texels_per_m));
   let x = material_noise(layer, at + vec2f(step, 0.0), fine)[channel];
   let z = material_noise(layer, at + vec2f(0.0, step), fine)[channel];
   return vec2f(x - here, z - here) / step;
@@ -105,17 +89,19 @@ fn foam_normal_quantile(share: f32) -> f32 {
 }
 
 // Appearance of foam in a pixel. `level` holds the amount of foam (x) and of its current source (y), 0 to 1.
-fn foam_appearance(at: vec2f, pixel: FoamFootprint, level: vec2f) -> FoamAppearance {
+fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppearance {
   let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
   let taps = clamp(i32(ceil(pixel.length_m / FOAM_FINEST_DETAIL_M)), 1, FOAM_MAX_NOISE_TAPS);
   let share = 1.0 / f32(taps);
   // Each sample covers its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one is enough.
   let size = WATER_TAP_TEXEL_RATIO * max(sqrt(pixel.width_m * pixel.length_m * share), pixel.length_m * share);
-  let lods = vec4f(
-    material_lod(FOAM_WINDROW_LAYER, WATER_TAP_TEXEL_RATIO * pixel.length_m), material_lod(FOAM_PATCH_LAYER, size),
-    material_lod(FOAM_STRAND_LAYER, size), material_lod(FOAM_BUBBLE_LAYER, whole_m));
-  let kept = vec4f(material_variance_left(FOAM_WINDROW_LAYER, lods.x), material_variance_left(FOAM_PATCH_LAYER, lods.y),
-    material_variance_left(FOAM_STRAND_LAYER, lods.z), material_variance_left(FOAM_BUBBLE_LAYER, lods.w));
+  let logs = log2(max(vec3f(WATER_TAP_TEXEL_RATIO * pixel.length_m, size, whole_m), vec3f(1e-6)));
+  let densities = vec4f(
+    material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m, material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_STRAND_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_BUBBLE_LAYER].log_texels_per_m);
+  let lods = logs.xyyz + densities;
+  let kept = material_variance_left(lods);
   let windrows = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b;
   let bubbles = material_noise(FOAM_BUBBLE_LAYER, at, lods.w).g;
   // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
@@ -125,6 +111,7 @@ fn foam_appearance(at: vec2f, pixel: FoamFootprint, level: vec2f) -> FoamAppeara
   let weight = mix(vec4f(0.7, 0.9, 1.1, 0.45), vec4f(0.4, 0.9, 0.8, 0.4), fresh);
   let total = dot(weight, weight);
   let resolved = dot(weight * weight, kept) / total;
+  let weight_of_deviation = weight * (3.4642 * inverseSqrt(total));
   let soft = mix(0.2, 0.12, fresh);
   let wanted = clamp(level.x, 1e-4, 1.0 - 1e-4);
   let edge = sqrt(1.0 + soft * soft) * foam_normal_quantile(wanted);
@@ -141,10 +128,10 @@ fn foam_appearance(at: vec2f, pixel: FoamFootprint, level: vec2f) -> FoamAppeara
   for (var i = 0; i < taps; i++) {
     // Samples have even steps along the pixel and follow the golden ratio across it.
     let k = f32(i) - 0.5 * f32(taps - 1);
-    let tap = at + pixel.along * (k * share) + pixel.across * (fract(0.5 + 0.618034 * k) - 0.5);
+    let tap = at + pixel.axis * (k * share) + pixel.across * (fract(0.5 + 0.618034 * k) - 0.5);
     let patches = material_noise(FOAM_PATCH_LAYER, tap, lods.y).r;
     let strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z).r;
-    let z = dot(vec4f(windrows, patches, strands, bubbles) - 0.5, weight) / (0.2887 * sqrt(total));
+    let z = dot(vec4f(windrows, patches, strands, bubbles) - 0.5, weight_of_deviation);
     let cut = foam_normal_cdf((z + edge) * sharp);
     let strand = 2.0 * foam_normal_cdf((0.65 * strands + 0.35 * patches - 0.65) * thickens) / thick;
     out.cover += clamp(cut * mix(FOAM_AGED_ALBEDO_RATIO * strand, 1.0, fresh), 0.0, 1.0);
@@ -155,8 +142,8 @@ fn foam_appearance(at: vec2f, pixel: FoamFootprint, level: vec2f) -> FoamAppeara
   out.rough = bubble_slope * bubble_slope * (1.0 - kept.w);
   out.cover *= share;
   out.grain = 0.5 + kept.w * out.grain * share;
-  let lumps_lod = material_lod(FOAM_STRAND_LAYER, whole_m);
-  let lumps_kept = material_variance_left(FOAM_STRAND_LAYER, lumps_lod);
+  let lumps_lod = logs.z + densities.z;
+  let lumps_kept = material_variance_left(vec4f(lumps_lod)).z;
   if material.foam_relief > 0.0 && lumps_kept > 0.05 && out.cover > 0.002 {
     let strands = material_noise(FOAM_STRAND_LAYER, at, lumps_lod).r;
     let lumps = foam_noise_gradient(FOAM_STRAND_LAYER, 0u, at, whole_m, lumps_lod, strands);

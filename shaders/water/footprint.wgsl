@@ -3,8 +3,11 @@
 // An anisotropic footprint, sampled several times along its longer side, so that it is not blurred across. Hardware
 // anisotropy differs between GPUs and takes minutes on a software adapter.
 struct WaterFootprint {
-  // Longer side as a vector, m.
+  // Longer and shorter side of the pixel as vectors, m.
   axis: vec2f,
+  across: vec2f,
+  // Width of the pixel, m: its area divided by the length of its longer side.
+  width_m: f32,
   taps: i32,
   // Length of the longer side, m, at least the width that one sample filters over.
   length_m: f32,
@@ -21,18 +24,15 @@ const WATER_MAX_TAPS = 3;
 // the texels of a mip level (a box and a tent) blurs as much as a box of sqrt(3) texels.
 const WATER_TAP_TEXEL_RATIO = 0.58;
 
-// Mean width, m, of a footprint of the length `length_m` with the sides `dx` and `dy`, m: area divided by length, which
-// is right even where the two sides are nearly parallel.
-fn water_footprint_width_m(dx: vec2f, dy: vec2f, length_m: f32) -> f32 {
-  return max(abs(dx.x * dy.y - dx.y * dy.x) / max(length_m, 1e-9), 1e-6);
-}
-
-// Footprint with the longer side `axis`, whose `taps` samples cover `width_m` metres each.
-fn water_footprint_of_samples(axis: vec2f, length_m: f32, width_m: f32, taps: i32) -> WaterFootprint {
-  let texel_m = WATER_TAP_TEXEL_RATIO * width_m;
+// Footprint with the longer side `axis`, m, and the shorter one `across`, m, whose `taps` samples cover `sample_m`
+// metres each.
+fn water_footprint_of_samples(
+  axis: vec2f, across: vec2f, length_m: f32, width_m: f32, sample_m: f32, taps: i32,
+) -> WaterFootprint {
+  let texel_m = WATER_TAP_TEXEL_RATIO * sample_m;
   let long_m = max(length_m, texel_m);
   return WaterFootprint(
-    axis, taps, long_m, sqrt(width_m * long_m), log2(max(texel_m, 1e-6)),
+    axis, across, width_m, taps, long_m, sqrt(sample_m * long_m), log2(max(texel_m, 1e-6)),
     log2(max(WATER_TAP_TEXEL_RATIO * long_m, 1e-6)));
 }
 
@@ -41,14 +41,18 @@ fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   let x = length(dx);
   let y = length(dy);
   let large = max(x, y);
-  let small = water_footprint_width_m(dx, dy, large);
+  // The area divided by the length is right even where the two sides are nearly parallel.
+  let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
   let taps = clamp(i32(ceil(large / small - 0.3)), 1, WATER_MAX_TAPS);
-  return water_footprint_of_samples(select(dy, dx, x > y), large, max(small, large / f32(taps)), taps);
+  let is_x = x > y;
+  return water_footprint_of_samples(
+    select(dy, dx, is_x), select(dx, dy, is_x), large, small, max(small, large / f32(taps)), taps);
 }
 
 // Footprint of one sample whose texels are `texel_m` metres wide.
 fn water_round_footprint(texel_m: f32) -> WaterFootprint {
-  return water_footprint_of_samples(vec2f(0.0), 0.0, texel_m / WATER_TAP_TEXEL_RATIO, 1);
+  let width_m = texel_m / WATER_TAP_TEXEL_RATIO;
+  return water_footprint_of_samples(vec2f(0.0), vec2f(0.0), 0.0, width_m, width_m, 1);
 }
 
 // Footprint size, relative to the patch of a cascade, at which its slopes begin to fade into variance.

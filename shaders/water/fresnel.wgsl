@@ -18,7 +18,7 @@ fn water_dielectric(cosine: f32, index: f32) -> f32 {
   let p = c * down - 1.0;
   let s = c * up + 1.0;
   let over = max(down * s, 1e-6);
-  return clamp(0.5 * up * up * (s * s + p * p) / (over * over), 0.0, 1.0);
+  return 0.5 * up * up * (s * s + p * p) / (over * over);
 }
 
 // Schlick's approximation of the Fresnel reflectance (1994), with a parameter in place of its exponent 5.
@@ -30,7 +30,7 @@ fn water_schlick(cosine: f32, index: f32) -> f32 {
 
 // Fresnel reflectance of the water in air, with the formula and the scale of the material.
 fn water_fresnel(cosine: f32) -> f32 {
-  let index = material.index_water / material.index_air;
+  let index = material.relative_index;
   if WATER_SCHLICK {
     return clamp(material.fresnel_scale * water_schlick(cosine, index), 0.0, 1.0);
   }

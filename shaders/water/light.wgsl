@@ -100,5 +100,5 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let bend_y = select(vec2f(0.0), dpdy(slope.mean), off_y.x + off_y.y < 0.5 * length(dy));
   let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
   let place = normalize(in.ray) * bitcast<f32>(point.z);
-  return water_radiance(WaterPoint(place, at, height.x, dx, dy), foot, bent);
+  return water_radiance(WaterPoint(place, at, height.x), foot, bent);
 }

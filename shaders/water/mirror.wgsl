@@ -7,9 +7,9 @@ struct WaterMirror {
   reflectance: f32,
 }
 
-fn water_environment(dir: vec3f, lod: f32) -> vec3f {
-  let uv = vec2f(atan2(dir.x, -dir.z) / (2.0 * ATM_PI), atm_asin(dir.y) / ATM_PI + 0.5);
-  return textureSampleLevel(environment_map, sky_sampler, uv, lod).rgb;
+// Radiance of the sky mirrored in the direction `dir`, averaged over rays of the spread that has the given layer.
+fn water_environment(dir: vec3f, layer: f32) -> vec3f {
+  return textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(mirrored_sky_uv(dir), layer), 0.0).rgb;
 }
 
 // Reflected sky and sun. `v` points to the eye, in axes whose y is the local vertical.
@@ -29,21 +29,21 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   let eye = water_facets_towards(v, slope);
   let quadrature = water_quadrature(eye);
   let factor = material.fresnel_slope_factor;
+  let factor_square = factor * factor;
   var sum = vec3f(0.0);
   var sum_f = 0.0;
   var weights = 0.0;
-  for (var i = 0; i < WATER_QUADRATURE_NODES; i++) {
+  for (var i = 0; i < quadrature.nodes; i++) {
     let node = water_quadrature_node(quadrature, eye.tilt.sigma, i);
-    let n = water_normal(node.slope);
-    let facing = dot(v, n);
+    let along = dot(v.xz, node.slope);
+    let square = dot(node.slope, node.slope);
     // Slopes across the viewing direction lengthen the facet's unscaled normal, but not its part towards the eye.
-    let steepness = factor * factor * (dot(node.slope, node.slope) + node.side_variance);
-    let f = water_fresnel((v.y - factor * dot(v.xz, node.slope)) * inverseSqrt(1.0 + steepness));
-    // Blur of the sky: the distance to the next node, or the turn of the ray by slopes across it (less if grazing).
-    let turned = 1.2 * eye.side_sigma * max(facing, 0.0);
-    let spread = max(1.6 * node.slope_interval, turned) * (128.0 / ATM_PI) + 1e-3;
+    let steepness = factor_square * (square + node.side_variance);
+    let f = water_fresnel((v.y - factor * along) * inverseSqrt(1.0 + steepness));
+    // The direction to the eye, mirrored by the facet of normal n: 2 (v n) n - v.
+    let mirrored = (2.0 * (v.y - along) / (1.0 + square)) * vec3f(-node.slope.x, 1.0, -node.slope.y) - v;
     let reflected = node.weight * f;
-    sum += reflected * water_environment(2.0 * facing * n - v, clamp(log2(spread), 0.0, 5.0));
+    sum += reflected * water_environment(mirrored, node.sky_layer);
     sum_f += reflected;
     weights += node.weight;
   }
@@ -75,6 +75,10 @@ fn water_masking_shadowing(seen: vec2f, lit: vec2f) -> f32 {
   return step(1e-6, lit.y) / (max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow);
 }
 
+// Square of the distance from the mean slope, in standard deviations, from which a Gaussian has too few facets to show
+// the sun: their density is 1e-7 of that at the mean.
+const WATER_NO_GLITTER_SQUARE = 32.0;
+
 // Radiance of the reflected sun. `surface` and `others` are as in water_mirror_among; `reflectance` is the mean of the
 // facets.
 fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance: f32) -> vec3f {
@@ -84,6 +88,26 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
     return vec3f(0.0);
   }
   let mirror_slope = -h.xz / h.y;
+  // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
+  // Halves that are nearly alike count as one.
+  var half = surface.half_slope_difference;
+  let is_split = !WATER_POINT_SAMPLES && dot(half, half) > 0.01 * min(surface.variance.x, surface.variance.y);
+  var part = surface;
+  if is_split {
+    let between_halves = vec3f(half * half, half.x * half.y);
+    part.variance =
+      water_limit_covariance(max(surface.variance - between_halves, vec3f(0.3 * surface.variance.xy, -1.0)));
+    part.mean = surface.mean - half;
+  }
+  let density = water_slope_density(part.variance);
+  let off = mirror_slope - part.mean;
+  var squares = vec2f(water_slope_distance(density, off), WATER_NO_GLITTER_SQUARE);
+  if is_split {
+    squares.y = water_slope_distance(density, off - 2.0 * half);
+  }
+  if !WATER_GGX && !WATER_PHONG && min(squares.x, squares.y) >= WATER_NO_GLITTER_SQUARE {
+    return vec3f(0.0);
+  }
   var f = water_fresnel(dot(v, h));
   if material.fresnel_slope_factor != 1.0 {
     f = water_facet_fresnel(v, mirror_slope);
@@ -95,26 +119,23 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
     // Projected area of the surface around, divided by that of this part.
     let own = water_tilt_projected_area(water_tilt_towards(v, surface)).x;
     let share = max(water_tilt_projected_area(eye).x, 1e-5) / max(own, 1e-5);
-    let brightness = water_glitter_brightness(v, h, mirror_slope, surface, eye, lit, share, reflectance);
+    let facets = water_slope_density_at(density, squares.x);
+    let brightness = water_glitter_brightness(v, h, facets, surface, eye, lit, share, reflectance);
     return light.sun_irradiance * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
   }
-  // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
-  let half = surface.half_slope_difference;
-  let between_halves = vec3f(half * half, half.x * half.y);
-  var part = surface;
-  part.variance =
-    water_limit_covariance(max(surface.variance - between_halves, vec3f(0.3 * surface.variance.xy, -1.0)));
-  part.mean = surface.mean - half;
   var eye = water_tilt_towards(v, part);
   var lit = water_tilt_towards(l, part);
   var sum = 0.0;
   var seen = 0.0;
-  for (var i = 0; i < 2; i++) {
-    let brightness = water_glitter_brightness(v, h, mirror_slope, part, eye, lit, 1.0, reflectance);
+  let halves = select(1, 2, is_split);
+  for (var i = 0; i < halves; i++) {
+    let facets = water_slope_density_at(density, squares.x);
+    let brightness = water_glitter_brightness(v, h, facets, part, eye, lit, 1.0, reflectance);
     // A reflection is not brighter than the sun's disc.
     sum += brightness.y * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
     seen += brightness.y;
     // The second half.
+    squares = squares.yx;
     part.mean += 2.0 * half;
     eye.mean -= 2.0 * dot(half, eye.toward);
     lit.mean -= 2.0 * dot(half, lit.toward);
@@ -122,12 +143,12 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
   return light.sun_irradiance * (sum / seen);
 }
 
-// Radiance of the reflected sun divided by its irradiance and by Fresnel's reflectance (x), from the density of the
-// slope that reflects it, and the projected area of the surface around towards the eye (y). `h` is the half vector.
+// Radiance of the reflected sun divided by its irradiance and by Fresnel's reflectance (x), and the projected area of
+// the surface around towards the eye (y). `facets` is the density of the slope that reflects the sun, `h` the half vector.
 // `eye` and `sun` are the tilts of the surface around, whose facets hide `slope` from eye and sun; in a filtered
 // picture that surface is the pixel's own. `share`: its projected area, divided by that of `slope`.
 fn water_glitter_brightness(
-  v: vec3f, h: vec3f, mirror_slope: vec2f, slope: WaterSlope, eye: WaterTilt, sun: WaterTilt, share: f32,
+  v: vec3f, h: vec3f, facets: f32, slope: WaterSlope, eye: WaterTilt, sun: WaterTilt, share: f32,
   reflectance: f32,
 ) -> vec2f {
   let l = frame.sun_direction;
@@ -143,8 +164,7 @@ fn water_glitter_brightness(
   } else {
     let lit = water_tilt_projected_area(sun);
     let h2 = h.y * h.y;
-    let density = water_slope_density(mirror_slope - slope.mean, slope.variance);
-    brightness = share * density / (4.0 * h2 * h2) * water_masking_shadowing(seen, lit);
+    brightness = share * facets / (4.0 * h2 * h2) * water_masking_shadowing(seen, lit);
     // Sunlight reflected twice spreads like that reflected once. It matters in grazing views of rough water.
     brightness *= 1.0 + water_second_bounce(eye, reflectance);
   }

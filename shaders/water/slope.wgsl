@@ -49,17 +49,16 @@ fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, along: vec2f,
   let part = 1.0 / f32(sampling.taps);
   let step = part * along;
   var at = uv + 0.5 * (step - along);
-  // Negative in the first half of the footprint, positive in the second one.
-  var side = 1.0 - f32(sampling.taps);
-  for (var k = 0; k < sampling.taps; k++) {
-    let tap = textureSampleLevel(gradients_map, trilinear_sampler, at, map.layer, sampling.slope_lod);
-    out.mean += tap;
-    out.half_slope_difference += sign(side) * tap.xy;
+  let first = textureSampleLevel(gradients_map, trilinear_sampler, at, map.layer, sampling.slope_lod);
+  var last = first;
+  out.mean = first;
+  for (var k = 1; k < sampling.taps; k++) {
     at += step;
-    side += 2.0;
+    last = textureSampleLevel(gradients_map, trilinear_sampler, at, map.layer, sampling.slope_lod);
+    out.mean += last;
   }
   out.mean *= part;
-  out.half_slope_difference *= part;
+  out.half_slope_difference = part * (last.xy - first.xy);
   return out;
 }
 

@@ -29,9 +29,10 @@ fn water_spline_taps(uv: vec2f, n: f32, smoothness: f32) -> WaterSplineTaps {
   let w2 = mix(f, f * (f * (2.0 - 1.5 * f) + 0.5), smoothness);
   let w3 = smoothness * (f * f * (0.5 * f - 0.5));
   let w12 = 1.0 - w0 - w3;
+  let texel = 1.0 / n;
   let over = 1.0 / (1.0 - (w0.x + w3.x) * (w0.y + w3.y));
   return WaterSplineTaps(
-    (base - 0.5) / n, (base + 0.5 + w2 / w12) / n, (base + 2.5) / n,
+    (base - 0.5) * texel, (base + 0.5 + w2 / w12) * texel, (base + 2.5) * texel,
     over * w12.x * w12.y, (over * w12.y) * vec2f(w0.x, w3.x), (over * w12.x) * vec2f(w0.y, w3.y));
 }
 

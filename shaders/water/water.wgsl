@@ -25,9 +25,6 @@ struct WaterPoint {
   undisplaced: vec2f,
   // Height of the wave, m.
   height: f32,
-  // Sides of the pixel on the undisplaced sea, m.
-  dx: vec2f,
-  dy: vec2f,
 }
 
 // Adds to slope statistics the change of the slope across the pixel, because slopes that change within a pixel glitter
@@ -62,10 +59,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
     around.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   }
 
-  let pixel = foam_footprint(point.dx, point.dy);
   var foam = vec2f(0.0);
   if WATER_FOAM {
-    foam = foam_level(point.undisplaced, pixel);
+    foam = foam_level(point.undisplaced, foot);
   }
   let mirror = water_mirror_among(v, slope, around);
   // Viewing ray after refraction at the mean facet.
@@ -79,10 +75,10 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
     below += water_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.x);
   }
   // Radiance falls by the square of the relative refractive index, because rays spread when they leave the water.
-  let index = material.index_water / material.index_air;
-  var surface = mirror.radiance + (1.0 - mirror.reflectance) / (index * index) * below;
+  let spread = material.inverse_relative_index * material.inverse_relative_index;
+  var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
   if WATER_FOAM && foam.x >= FOAM_MIN_AMOUNT {
-    let look = foam_appearance(point.undisplaced, pixel, foam);
+    let look = foam_appearance(point.undisplaced, foot, foam);
     surface = mix(surface, foam_radiance(v, slope, look), look.cover);
   }
 

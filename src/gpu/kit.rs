@@ -27,12 +27,16 @@ pub enum BindingType {
     Texture,
     /// A 2d array texture of floats that a sampler can filter.
     TextureArray,
+    /// A 3d texture of floats that a sampler can filter.
+    Texture3d,
     /// A 2d texture of unsigned integers.
     TextureUint,
     /// A 2d storage texture of the given format that the shader only writes.
     StorageTexture(wgpu::TextureFormat),
     /// A 2d array storage texture of the given format that the shader only writes.
     StorageTextureArray(wgpu::TextureFormat),
+    /// A 3d storage texture of the given format that the shader only writes.
+    StorageTexture3d(wgpu::TextureFormat),
     /// A sampler that may filter, that is, interpolate between texels.
     Sampler,
 }
@@ -56,7 +60,7 @@ impl BindingType {
             format,
             view_dimension,
         };
-        use wgpu::TextureViewDimension::{D2, D2Array};
+        use wgpu::TextureViewDimension::{D2, D2Array, D3};
         match self {
             Self::Uniform(bytes) => buffer(wgpu::BufferBindingType::Uniform, false, bytes),
             Self::DynamicUniform(bytes) => buffer(wgpu::BufferBindingType::Uniform, true, bytes),
@@ -64,9 +68,11 @@ impl BindingType {
             Self::StorageReadWrite(bytes) => buffer(storage(false), false, bytes),
             Self::Texture => texture(filterable, D2),
             Self::TextureArray => texture(filterable, D2Array),
+            Self::Texture3d => texture(filterable, D3),
             Self::TextureUint => texture(wgpu::TextureSampleType::Uint, D2),
             Self::StorageTexture(format) => image(format, D2),
             Self::StorageTextureArray(format) => image(format, D2Array),
+            Self::StorageTexture3d(format) => image(format, D3),
             Self::Sampler => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         }
     }

@@ -40,6 +40,7 @@ impl SceneGroup {
             BindingType::Sampler,
             BindingType::Texture,
             BindingType::Uniform(size_of::<MaterialUniform>()),
+            BindingType::Texture3d,
         ];
         let layout = gpu.bind_group_layout("scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &bindings);
         let resources = [
@@ -53,6 +54,7 @@ impl SceneGroup {
             Sampler(&noise.sampler),
             TextureView(&sky.transmittance),
             material.buffer.as_entire_binding(),
+            TextureView(&sky.mirrored),
         ];
         Self { group: gpu.bind_group("scene", &layout, &resources), layout, output }
     }

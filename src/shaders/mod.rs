@@ -53,6 +53,8 @@ const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"),
 /// effect of the air between eye and sea on light.
 const PICTURE: SourcePart =
     SourcePart::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
+/// WGSL mapping of the table of the mirrored sky.
+const MIRRORED_MAP: SourcePart = part!("sky/mirrored_map.wgsl");
 /// WGSL functions for the position of the water surface, displaced by the waves.
 const SURFACE: SourcePart = SourcePart::Group(&[
     MATHS,
@@ -73,6 +75,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/material.wgsl"),
     part!("water/fresnel.wgsl"),
     part!("water/facets.wgsl"),
+    MIRRORED_MAP,
     part!("water/mirror.wgsl"),
     part!("water/body.wgsl"),
     part!("water/bed.wgsl"),
@@ -102,6 +105,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("sky/view", &[AIR_TABLES, part!("sky/view.wgsl")]),
     ("sky/environment", &[SKY, part!("sky/environment.wgsl")]),
     ("sky/filter", &[part!("sky/filter.wgsl")]),
+    ("sky/mirrored", &[MIRRORED_MAP, part!("sky/mirrored.wgsl")]),
     ("sky/light", &[SKY, part!("sky/light.wgsl")]),
     ("sky/background", &[PICTURE, part!("sky/background.wgsl")]),
     ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),

@@ -19,22 +19,39 @@ const SKY_VIEW_SIZE: [u32; 2] = [192, 128];
 const ENVIRONMENT_SIZE: [u32; 2] = [256, 128];
 /// Number of mip levels of the environment map (the sky that the sea reflects), down to 8 x 4 texels.
 const ENVIRONMENT_MIP_LEVELS: u32 = 6;
+/// Size, texels, of the table of the mirrored sky: azimuth, elevation, and layers of growing spread
+/// (shaders/sky/mirrored_map.wgsl).
+const MIRRORED_SIZE: [u32; 3] = [128, 160, 6];
 /// Number of workgroups, of 64 threads each, that sum the light of the sky over directions (shaders/sky/light.wgsl).
 const LIGHT_WORKGROUPS: u32 = 4;
 /// Size, bytes, of the buffer with the partial sums of the sky's light: for each thread 16 bytes, which are an RGB
 /// irradiance and a luminance in f32.
 const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_WORKGROUPS as u64;
 
-/// Number of workgroups of 8 x 8 threads, along x and y, that cover a table of `size` texels.
-fn workgroups(size: [u32; 2]) -> [u32; 2] {
-    size.map(|side| side.div_ceil(8))
+/// Number of workgroups of 8 x 8 threads, along x, y and z, that cover a 2d table of `size` texels.
+fn workgroups([width, height]: [u32; 2]) -> [u32; 3] {
+    [width.div_ceil(8), height.div_ceil(8), 1]
+}
+
+fn mirrored_sky_texture(gpu: &Gpu, format: wgpu::TextureFormat) -> wgpu::Texture {
+    let [width, height, depth_or_array_layers] = MIRRORED_SIZE;
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("sky/mirrored"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D3,
+        format,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING,
+        view_formats: &[],
+    })
 }
 
 /// A compute pass that fills a look-up table of the sky or adds up its light, with its bind group.
 struct TablePass {
     kernel: Kernel,
     group: wgpu::BindGroup,
-    workgroups: [u32; 2],
+    workgroups: [u32; 3],
 }
 
 impl TablePass {
@@ -43,7 +60,7 @@ impl TablePass {
         label: &'static str,
         program: (&wgpu::ShaderModule, &str),
         bindings: &[(BindingType, wgpu::BindingResource<'_>)],
-        workgroups: [u32; 2],
+        workgroups: [u32; 3],
     ) -> Self {
         let (bindings, resources): (Vec<BindingType>, Vec<_>) = bindings.iter().cloned().unzip();
         let kernel = Kernel::new(gpu, label, program, &bindings, &[]);
@@ -52,8 +69,7 @@ impl TablePass {
     }
 
     fn run(&self, encoder: &mut wgpu::CommandEncoder) {
-        let [x, y] = self.workgroups;
-        self.kernel.run(encoder, &self.group, &[], [x, y, 1]);
+        self.kernel.run(encoder, &self.group, &[], self.workgroups);
     }
 }
 
@@ -64,6 +80,8 @@ pub struct SkyTables {
     pub transmittance: wgpu::TextureView,
     pub sky_view: wgpu::TextureView,
     pub environment: wgpu::TextureView,
+    /// The environment as rough water mirrors it: azimuth by elevation by the spread of the mirrored rays.
+    pub mirrored: wgpu::TextureView,
     pub sampler: wgpu::Sampler,
     /// Textures of the sky image, if the sky comes from an image file.
     pub panorama: PanoramaTextures,
@@ -91,6 +109,7 @@ impl SkyTables {
             transmittance: whole(&texture("sky/transmittance", TRANSMITTANCE_SIZE, 1)),
             sky_view: whole(&texture("sky/view", SKY_VIEW_SIZE, 1)),
             environment: whole(&surroundings),
+            mirrored: whole(&mirrored_sky_texture(gpu, format)),
             sampler: gpu.sampler(
                 "sky",
                 [wgpu::AddressMode::Repeat, wgpu::AddressMode::ClampToEdge],
@@ -187,12 +206,27 @@ impl SkyTables {
             let size = ENVIRONMENT_SIZE.map(|side| side >> level);
             TablePass::new(gpu, "sky/filter", (&filter, "main"), &bindings, workgroups(size))
         });
+        let [width, height, layers] = MIRRORED_SIZE;
+        let mirrored = TablePass::new(
+            gpu,
+            "sky/mirrored",
+            (&shaders.module(gpu, "sky/mirrored"), "main"),
+            &[
+                (BindingType::Texture, TextureView(&self.environment)),
+                (BindingType::Sampler, Sampler(&self.sampler)),
+                (
+                    BindingType::StorageTexture3d(shaders.map_format(gpu).texture_format()),
+                    TextureView(&self.mirrored),
+                ),
+            ],
+            [width.div_ceil(8), height.div_ceil(8), layers],
+        );
         let [clear_irradiance_parts, clear, sky_irradiance_parts, whole] =
             self.create_light_passes(gpu, shaders, noise);
         [view, clear_irradiance_parts, clear, environment]
             .into_iter()
             .chain(filters)
-            .chain([sky_irradiance_parts, whole])
+            .chain([mirrored, sky_irradiance_parts, whole])
             .collect()
     }
 
@@ -218,7 +252,7 @@ impl SkyTables {
             ("sky/light whole parts", "sky_irradiance_parts", LIGHT_WORKGROUPS),
             ("sky/light whole", "sky_irradiance", 1),
         ]
-        .map(|(label, entry, groups)| TablePass::new(gpu, label, (&module, entry), &bindings, [groups, 1]))
+        .map(|(label, entry, groups)| TablePass::new(gpu, label, (&module, entry), &bindings, [groups, 1, 1]))
     }
 
     /// Records the passes that compute all tables of the sky, even those that are up to date.

@@ -61,7 +61,8 @@ gpu_struct! {
         night_gain: f32,
         /// Heading of the middle column of the sky image, as a fraction of a turn clockwise from north.
         image_heading_turns: f32,
-        unused: [u32; 2],
+        /// Unit vector (x, z) of the sun's azimuth.
+        sun_heading: [f32; 2],
     }
 }
 
@@ -94,12 +95,13 @@ impl SkyUniform {
     /// Values of the uniform for the sky settings `look`, `eye_m` metres above the sea, with the clouds of time 0.
     pub fn for_look(look: &SkyLook, eye_m: f64) -> Self {
         let night_gain = night_gain(look);
+        let sun = look.sun_direction();
         let near = look.sun_distance_au.recip();
         let file = look.panorama();
         let image_gain = look.file_gain_ev.exp2();
         let scaled = |e: [f64; 3]| e.map(|e| (e * image_gain) as f32);
         Self {
-            sun_direction: look.sun_direction().map(|x| x as f32),
+            sun_direction: sun.map(|x| x as f32),
             haze: look.haze as f32,
             sun_tint: linear_rgb(look.sun_colour).map(|c| (c * near * near * night_gain) as f32),
             sun_radius_rad: look.sun_radius_rad() as f32,
@@ -122,7 +124,7 @@ impl SkyUniform {
             reflected_cloud_drift_km: [0.0; 2],
             night_gain: night_gain as f32,
             image_heading_turns: (look.file_heading_deg / 360.0) as f32,
-            unused: [0; 2],
+            sun_heading: glam::dvec2(sun[0], sun[2]).normalize_or(glam::DVec2::X).as_vec2().to_array(),
         }
     }
 }

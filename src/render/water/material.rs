@@ -1,6 +1,7 @@
 //! Uniform buffer with the optical properties of water, foam and bed, from the look, the sea and the eye's position.
 
 use crate::gpu::layout::gpu_struct;
+use super::noise::NOISE_SIDE;
 use crate::optics::water::WaterOptics;
 use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
@@ -34,7 +35,9 @@ gpu_struct! {
         uv_from_position: glam::Mat2,
         /// Texture coordinates, in the noise texture, of the point straight below the eye.
         uv_below_eye: [f32; 2],
-        unused: [u32; 2],
+        /// Binary logarithm of the number of texels of the noise texture per metre, the geometric mean of both axes.
+        log_texels_per_m: f32,
+        unused: u32,
     }
 }
 
@@ -51,10 +54,12 @@ impl NoiseLayer {
         let along = axis / (along_m * (1.0 + longer * gale));
         let across = axis.perp() / across_m;
         let at = |row: DVec2| row.dot(below_eye.into()).rem_euclid(1.0) as f32;
+        let texels_per_m = f64::from(NOISE_SIDE) * (along.length() * across.length()).sqrt();
         Self {
             uv_from_position: DMat2::from_cols(along, across).transpose().as_mat2(),
             uv_below_eye: [at(along), at(across)],
-            unused: [0; 2],
+            log_texels_per_m: texels_per_m.log2() as f32,
+            unused: 0,
         }
     }
 }
@@ -68,8 +73,8 @@ gpu_struct! {
         skylight_scatter_factor: f32,
         /// Backscattering coefficient of the water at red, green and blue, 1/m.
         backscatter: [f32; 3],
-        /// Refractive index of the air.
-        index_air: f32,
+        /// Refractive index of the water divided by that of the air.
+        relative_index: f32,
         /// Total scattering coefficient of the water at red, green and blue, 1/m.
         scattering: [f32; 3],
         /// Density of the bubbles below foam; 1 is that of a typical plume under a breaking wave.
@@ -80,12 +85,17 @@ gpu_struct! {
         foam_colour: [f32; 3],
         /// How much the light scattered back by the water depends on the viewing direction: 0 not at all, 1 physically.
         scatter_view_dependence: f32,
+        /// Irradiance reflectance, RGB, of deep water without bubbles, just below the surface: 0.33 bb / a for small
+        /// backscattering bb and absorption a (Morel and Prieur 1977), and 1 if a is 0.
+        deep_reflectance: [f32; 3],
+        /// Sine of the sun's elevation as seen from below a level surface, by Snell's law.
+        refracted_sun_sine: f32,
         bed_colour: [f32; 3],
         /// Factor on the sunlight that the water scatters back; 1 is physical.
         sunlight_scatter_factor: f32,
         noise_layers: [NoiseLayer; NOISE_LAYERS],
-        /// Refractive index of the water.
-        index_water: f32,
+        /// Refractive index of the air divided by that of the water.
+        inverse_relative_index: f32,
         /// Exponent of Schlick's approximation of the Fresnel reflectance, 5 in the original.
         schlick_exponent: f32,
         /// Factor on the Fresnel reflectance of the water; 1 is physical.
@@ -128,21 +138,29 @@ impl MaterialUniform {
         let gale = ((scene.sea.wind_m_s - 8.0) / 16.0).clamp(0.0, 1.0);
         let gale = gale * gale * (3.0 - 2.0 * gale);
         let below_eye = [scene.view.eye.x, scene.view.eye.z];
+        let into_water = reflection.index_air / reflection.index_water;
+        let [sun_x, _, sun_z] = scene.look.sky.sun_direction();
+        let sun_cosine = sun_x.hypot(sun_z);
         Self {
             absorption: single(water.absorption),
             skylight_scatter_factor: scattering.ambient_strength as f32,
             backscatter: single(water.backscatter),
-            index_air: reflection.index_air as f32,
+            relative_index: (reflection.index_water / reflection.index_air) as f32,
             scattering: single(water.scattering),
             bubble_density: scattering.bubble_density as f32,
             bubble_colour: colour(scattering.bubble_colour),
             crest_transmission: scattering.crest_transmission as f32,
             foam_colour: colour(foam.colour),
             scatter_view_dependence: scattering.scatter_view_dependence as f32,
+            deep_reflectance: std::array::from_fn(|i| {
+                let up = 0.33 * water.backscatter[i];
+                (up / (water.absorption[i] + up)) as f32
+            }),
+            refracted_sun_sine: (1.0 - (into_water * sun_cosine).powi(2)).max(0.0).sqrt() as f32,
             bed_colour: colour(bed.colour),
             sunlight_scatter_factor: scattering.diffuse_strength as f32,
             noise_layers: LAYER_SHAPES.map(|shape| NoiseLayer::new(shape, scene.sea.downwind, gale, below_eye)),
-            index_water: reflection.index_water as f32,
+            inverse_relative_index: into_water as f32,
             schlick_exponent: reflection.schlick_exponent as f32,
             fresnel_scale: reflection.fresnel_scale as f32,
             fresnel_slope_factor: reflection.fresnel_slope_factor as f32,

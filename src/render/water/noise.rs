@@ -6,7 +6,7 @@ use crate::waves::noise::pcg4d;
 use std::sync::OnceLock;
 
 /// Side of the noise texture, texels.
-const NOISE_SIDE: u32 = 512;
+pub const NOISE_SIDE: u32 = 512;
 
 /// Periodic noise texture (net-like pattern of foam in red, bubbles in green, clouds in blue) and its sampler.
 pub struct NoiseTexture {
