@@ -20,7 +20,8 @@ use std::sync::{LazyLock, Mutex};
 
 /// Seas whose simulation has other pipelines.
 const SEAS: [&str; 3] = ["n=256", "n=512", "n=1024"];
-/// Pictures that together need all of the renderer's pipelines: one for each part that shaders have or lack.
+/// Pictures that together need the renderer's pipelines: one for each part that shaders have or lack, except for a sky
+/// from a file, which no state string holds.
 const PICTURES: [&str; 14] = [
     "",
     "foam=0",
@@ -44,7 +45,7 @@ struct Record {
     texts: BTreeMap<String, String>,
     /// Bindings with dynamic offsets of the layouts that have any.
     dynamic: HashMap<wgpu::BindGroupLayout, Vec<usize>>,
-    /// Pipelines by name and constants, each once.
+    /// Pipelines by name, which holds the constants that are not 0.
     pipelines: BTreeMap<String, Value>,
 }
 
@@ -93,12 +94,12 @@ impl Record {
             .map(|(name, value)| format!("{name}={value}"))
             .collect();
         let mut pipeline = rest;
-        let name = format!("{label} {}", list.join(" "));
+        let is_reference = pipeline["colours"][0] == "rgba32float";
+        let name = format!("{label} {}{}", list.join(" "), if is_reference { " (reference)" } else { "" });
         pipeline["name"] = name.trim().into();
         pipeline["module"] = self.modules[module].as_str().into();
         pipeline["constants"] = json!(constants);
-        let key = format!("{name} {}", pipeline["colours"]);
-        self.pipelines.insert(key, pipeline);
+        self.pipelines.insert(name, pipeline);
     }
 }
 
