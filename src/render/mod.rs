@@ -205,11 +205,13 @@ impl Renderer {
         self.timer.end_part(encoder, "sky tables");
         self.water.record_g_buffer(encoder, targets);
         self.timer.end_part(encoder, "mesh");
-        let mut pass = targets.begin_picture(encoder, true);
+        let mut pass = targets.begin_light(encoder);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw_light(&mut pass);
-        self.hulls.draw(&mut pass, &self.water.scene);
         drop(pass);
+        if self.hulls.is_needed() {
+            self.hulls.draw(&mut targets.begin_hulls(encoder), &self.water.scene);
+        }
         self.timer.end_part(encoder, "picture");
     }
 
@@ -219,12 +221,12 @@ impl Renderer {
         match part {
             TimedPart::SkyTables => self.sky.record_all_tables(encoder),
             TimedPart::Background => {
-                self.background.draw(&mut targets.begin_picture(encoder, false), &self.water.scene, &self.sky);
+                self.background.draw(&mut targets.begin_alone(encoder), &self.water.scene, &self.sky);
             }
             TimedPart::Mesh => self.water.record_g_buffer(encoder, targets),
             TimedPart::Water => {
                 self.water.record_g_buffer(encoder, targets);
-                self.water.draw_light(&mut targets.begin_picture(encoder, true));
+                self.water.draw_light(&mut targets.begin_light(encoder));
             }
         }
     }

@@ -14,15 +14,15 @@ gpu_struct! {
     pub struct MeshVertex as "MeshVertex" {
         /// Displaced position (x east, y up, z south) relative to the eye, m, lowered by the curvature of the Earth.
         position: [f32; 3],
-        /// Height of the displaced water above the still water, m.
-        height: f32,
+        /// Mean shear of the waves that are long compared with vertex spacing and pixels at this vertex. Like `slope`
+        /// and `stretch`, it is interpolated between vertices when the mesh is drawn (WGSL `WaterDerivatives`).
+        shear: f32,
         /// Undisplaced position (x, z) relative to the point below the eye, m.
         undisplaced: [f32; 2],
-        /// Slope (along x, z) of the waves that are long compared with vertex spacing and pixels at this vertex. Like
-        /// `stretch` and `shear`, it is interpolated between vertices when the mesh is drawn (WGSL `WaterDerivatives`).
-        slope: [f32; 2],
-        stretch: [f32; 2],
-        shear: [f32; 2],
+        /// Slope of the same waves along x and z, as two half floats.
+        slope: u32,
+        /// Stretch of the same waves along x and z, as two half floats.
+        stretch: u32,
     }
 }
 
