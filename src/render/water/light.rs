@@ -1,6 +1,6 @@
 //! The water: its mesh is drawn into a G-buffer, and shaders/water/light.wgsl lights each pixel of water once.
 
-use super::displace::DisplacePass;
+use super::displace::{self, DisplacePass};
 use super::material;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
@@ -97,16 +97,8 @@ impl WaterPass {
     /// Compiles the passes that displace the mesh and fill the G-buffer. [`Self::select_pipeline`] later compiles the
     /// lighting pipelines.
     pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
-        let bindings = [
-            BindingType::TextureArray,
-            BindingType::TextureArray,
-            BindingType::TextureArray,
-            BindingType::TextureArray,
-            BindingType::Sampler,
-            BindingType::Sampler,
-        ];
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
-        let maps_layout = gpu.bind_group_layout("maps", stages, &bindings);
+        let maps_layout = gpu.bind_group_layout("maps", stages, &displace::WAVE_MAPS);
         let samplers = [wgpu::MipmapFilterMode::Linear, wgpu::MipmapFilterMode::Nearest]
             .map(|mipmap_filter| gpu.sampler("waves", [wgpu::AddressMode::Repeat; 2], mipmap_filter));
         let mesh = DisplacePass::new(gpu, shaders, frame, &maps_layout);
