@@ -258,15 +258,15 @@ impl Renderer {
     }
 }
 
-/// The water mesh for a picture of `size` (width, height) pixels. Its density depends on the size only in steps, so that
-/// a picture whose size changes a little, as the adaptive resolution does, keeps its lattice and index buffer.
+/// The water mesh for a picture of `size` (width, height) pixels. Its density depends on the size only in steps, so
+/// that a picture whose size changes a little, as the adaptive resolution does, keeps its lattice and index buffer.
 fn mesh_for_picture(scene: &Scene, size: [u32; 2]) -> Mesh {
     let density = scene.look.mesh_detail * mesh_density(f64::from(size[0]) * f64::from(size[1]));
     Mesh::new(&scene.view, &scene.sea, density, scene.look.extent_km)
 }
 
-/// Number of vertices of the mesh for a picture of `pixels` pixels, divided by the default: powers of the square root of
-/// two. Up to [`DEFAULT_MESH_PIXELS`] it is in proportion to the pixels, because triangles much smaller than a pixel
+/// Number of vertices of the mesh for a picture of `pixels` pixels, divided by the default: powers of the square root
+/// of two. Up to [`DEFAULT_MESH_PIXELS`] it is in proportion to the pixels, because triangles much smaller than a pixel
 /// show nothing more. Above, it grows with the square root of their number, because waves are smooth. At an eighth of
 /// the default a mesh costs little, and a coarser one would lose waves that a small picture still shows.
 fn mesh_density(pixels: f64) -> f64 {
