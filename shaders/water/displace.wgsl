@@ -22,5 +22,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_RADIUS_M);
   let place = vec3f(flat.x, moved.y - drop - frame.eye_height_m, flat.y);
   let carried = water.carried;
-  mesh_vertices[vertex] = MeshVertex(place, moved.y, at, carried.slope, carried.stretch, carried.shear);
+  mesh_vertices[vertex] = MeshVertex(
+    place, 0.5 * (carried.shear.x + carried.shear.y), at, pack2x16float(carried.slope), pack2x16float(carried.stretch));
 }

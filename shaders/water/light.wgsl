@@ -5,58 +5,60 @@
 
 struct MeshFragment {
   @builtin(position) clip: vec4f,
-  @location(0) position: vec3f,
-  // Undisplaced position (x, z) relative to the point below the eye, m, and height of the wave, m.
-  @location(1) undisplaced: vec3f,
-  // Slope and stretch, interpolated between the vertices.
-  @location(2) carried: vec4f,
-  @location(3) shear: vec2f,
+  // Undisplaced position (x, z) relative to the point below the eye, m, and shear.
+  @location(0) undisplaced_and_shear: vec3f,
+  // Slope and stretch. They and the shear are interpolated between the vertices.
+  @location(1) slope_and_stretch: vec4f,
 }
 
 @vertex
 fn mesh_vertex(@builtin(vertex_index) i: u32) -> MeshFragment {
   let v = mesh_vertices[i];
   let clip = frame.clip_from_relative * vec4f(v.position, 1.0);
-  return MeshFragment(clip, v.position, vec3f(v.undisplaced, v.height), vec4f(v.slope, v.stretch), v.shear);
+  let carried = vec4f(unpack2x16float(v.slope), unpack2x16float(v.stretch));
+  return MeshFragment(clip, vec3f(v.undisplaced, v.shear), carried);
 }
 
-// The water that a pixel shows, in 32 bytes: the most that WebGPU guarantees a pass to write per pixel.
+// The water that a pixel shows, in 20 bytes (`G_BUFFER_FORMATS` in src/render/targets.rs); its distance is in the depth
+// texture.
 struct GBuffer {
-  // The undisplaced position (x, z) and the distance from the eye, m, as floats; the height of the wave and the mean of
-  // the two interpolated shears as half floats.
-  @location(0) point: vec4u,
-  // As half floats: sides of the pixel on the undisplaced sea, m; interpolated slope and stretch.
-  @location(1) slopes: vec4u,
+  // Undisplaced position (x, z) relative to the point below the eye, m.
+  @location(0) undisplaced: vec2f,
+  // Slope and stretch that the mesh carries.
+  @location(1) slope_and_stretch: vec4f,
+  // Mean of the two shears that the mesh carries, and the longer side of the pixel on the undisplaced sea, m.
+  @location(2) shear_and_side: vec2f,
 }
 
 @fragment
 fn mesh_fragment(in: MeshFragment) -> GBuffer {
-  let sides = clamp(vec4f(dpdx(in.undisplaced.xy), dpdy(in.undisplaced.xy)), vec4f(-6e4), vec4f(6e4));
-  let height = pack2x16float(vec2f(in.undisplaced.z, 0.5 * (in.shear.x + in.shear.y)));
-  return GBuffer(
-    vec4u(bitcast<vec3u>(vec3f(in.undisplaced.xy, length(in.position))), height),
-    vec4u(
-      pack2x16float(sides.xy), pack2x16float(sides.zw),
-      pack2x16float(in.carried.xy), pack2x16float(in.carried.zw)));
+  let at = in.undisplaced_and_shear.xy;
+  let dx = dpdx(at);
+  let dy = dpdy(at);
+  let side_m = min(sqrt(max(dot(dx, dx), dot(dy, dy))), 6e4);
+  return GBuffer(at, in.slope_and_stretch, vec2f(in.undisplaced_and_shear.z, side_m));
 }
 
-@group(2) @binding(0) var point_map: texture_2d<u32>;
-@group(2) @binding(1) var slopes_map: texture_2d<u32>;
+@group(2) @binding(0) var depth_map: texture_depth_2d;
+@group(2) @binding(1) var undisplaced_map: texture_2d<f32>;
+@group(2) @binding(2) var slope_and_stretch_map: texture_2d<f32>;
+@group(2) @binding(3) var shear_and_side_map: texture_2d<f32>;
 
-// Whether the adapter is a software rasterizer.
-override SOFTWARE_ADAPTER: bool = false;
+// Difference of the undisplaced position between neighbouring pixels, relative to the longer side of the pixel, above
+// which they show different waves.
+const WATER_PIXEL_JUMP = 1.5;
 
-fn water_unpack_pixel_sides(packed: vec4u) -> vec4f {
-  return vec4f(unpack2x16float(packed.x), unpack2x16float(packed.y));
+// Side of a pixel on the undisplaced sea, m, and whether the neighbour in the pixel's quad shows the same wave.
+struct WaterPixelSide {
+  side: vec2f,
+  is_smooth: bool,
 }
 
-// Footprint sides of the first pixel of a 2 x 2 quad, if they are close to the pixel's own. A software rasterizer
-// samples a map for a whole quad at once if all its pixels use the same mip level.
-fn water_quad_pixel_sides(pixel: vec2i, own: vec4f) -> vec4f {
-  let first = water_unpack_pixel_sides(textureLoad(slopes_map, pixel & vec2i(-2), 0));
-  let off = first - own;
-  let is_like = dot(off.xy, off.xy) < 0.1 * dot(own.xy, own.xy) && dot(off.zw, off.zw) < 0.1 * dot(own.zw, own.zw);
-  return select(own, first, is_like);
+// The side of a pixel to the neighbour whose undisplaced position differs by `across`, m. At the edge of a wave the
+// neighbour shows another wave or the sky, so that the difference says little. No side is longer than `longest_m`.
+fn water_pixel_side(across: vec2f, longest_m: f32) -> WaterPixelSide {
+  let ratio = length(across) / max(longest_m, 1e-9);
+  return WaterPixelSide(across / max(ratio, 1.0), ratio < WATER_PIXEL_JUMP);
 }
 
 struct LightFragment {
@@ -74,31 +76,28 @@ fn light_vertex(@builtin(vertex_index) i: u32) -> LightFragment {
 @fragment
 fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
-  let point = textureLoad(point_map, pixel, 0);
-  let packed = textureLoad(slopes_map, pixel, 0);
-  var sides = water_unpack_pixel_sides(packed);
-  if SOFTWARE_ADAPTER {
-    sides = water_quad_pixel_sides(pixel, sides);
-  }
-  let dx = frame.footprint_scale * sides.xy;
-  let dy = frame.footprint_scale * sides.zw;
-  let at = bitcast<vec2f>(point.xy);
-  let height = unpack2x16float(point.w);
+  // The component of the ray along the viewing direction is 1, and depth is near-plane distance / distance along it.
+  let place = in.ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
+  let at = textureLoad(undisplaced_map, pixel, 0).xy;
+  let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
+  let x = water_pixel_side(dpdx(at), shear_and_side.y);
+  let y = water_pixel_side(dpdy(at), shear_and_side.y);
+  let dx = frame.footprint_scale * x.side;
+  let dy = frame.footprint_scale * y.side;
   let foot = water_footprint(dx, dy);
   var slope: WaterSlope;
   if WATER_POINT_SAMPLES {
     // Slopes interpolated between the vertices are linear there; a sample needs the slope at its point.
     slope = water_slope(at, foot);
   } else {
-    let carried = WaterDerivatives(unpack2x16float(packed.z), unpack2x16float(packed.w), height.yy);
+    let mesh = textureLoad(slope_and_stretch_map, pixel, 0);
+    let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
     slope = water_slope_with_carried(at, foot, foot, carried, true);
   }
   // If a neighbouring pixel shows another wave, the difference is not a change of slope within this pixel.
-  let off_x = abs(dpdx(at) - dx);
-  let off_y = abs(dpdy(at) - dy);
-  let bend_x = select(vec2f(0.0), dpdx(slope.mean), off_x.x + off_x.y < 0.5 * length(dx));
-  let bend_y = select(vec2f(0.0), dpdy(slope.mean), off_y.x + off_y.y < 0.5 * length(dy));
+  let bend_x = select(vec2f(0.0), dpdx(slope.mean), x.is_smooth);
+  let bend_y = select(vec2f(0.0), dpdy(slope.mean), y.is_smooth);
   let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
-  let place = normalize(in.ray) * bitcast<f32>(point.z);
-  return water_radiance(WaterPoint(place, at, height.x), foot, bent);
+  let height = place.y + frame.eye_height_m + dot(place.xz, place.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
+  return water_radiance(WaterPoint(place, at, height), foot, bent);
 }

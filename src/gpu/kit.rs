@@ -29,8 +29,10 @@ pub enum BindingType {
     TextureArray,
     /// A 3d texture of floats that a sampler can filter.
     Texture3d,
-    /// A 2d texture of unsigned integers.
-    TextureUint,
+    /// A 2d texture of floats that is read only texel by texel, without a sampler, so that any float format will do.
+    TextureLoaded,
+    /// A 2d depth texture.
+    DepthTexture,
     /// A 2d storage texture of the given format that the shader only writes.
     StorageTexture(wgpu::TextureFormat),
     /// A 2d array storage texture of the given format that the shader only writes.
@@ -69,7 +71,8 @@ impl BindingType {
             Self::Texture => texture(filterable, D2),
             Self::TextureArray => texture(filterable, D2Array),
             Self::Texture3d => texture(filterable, D3),
-            Self::TextureUint => texture(wgpu::TextureSampleType::Uint, D2),
+            Self::TextureLoaded => texture(wgpu::TextureSampleType::Float { filterable: false }, D2),
+            Self::DepthTexture => texture(wgpu::TextureSampleType::Depth, D2),
             Self::StorageTexture(format) => image(format, D2),
             Self::StorageTextureArray(format) => image(format, D2Array),
             Self::StorageTexture3d(format) => image(format, D3),

@@ -207,11 +207,13 @@ impl Renderer {
         self.timer.end_part(encoder, "sky tables");
         self.water.record_g_buffer(encoder, targets);
         self.timer.end_part(encoder, "mesh");
-        let mut pass = targets.begin_picture(encoder, true);
+        let mut pass = targets.begin_light(encoder);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw_light(&mut pass);
-        self.hulls.draw(&mut pass, &self.water.scene);
         drop(pass);
+        if self.hulls.is_needed() {
+            self.hulls.draw(&mut targets.begin_hulls(encoder), &self.water.scene);
+        }
         self.timer.end_part(encoder, "picture");
     }
 
@@ -221,12 +223,12 @@ impl Renderer {
         match part {
             TimedPart::SkyTables => self.sky.record_all_tables(encoder),
             TimedPart::Background => {
-                self.background.draw(&mut targets.begin_picture(encoder, false), &self.water.scene, &self.sky);
+                self.background.draw(&mut targets.begin_alone(encoder), &self.water.scene, &self.sky);
             }
             TimedPart::Mesh => self.water.record_g_buffer(encoder, targets),
             TimedPart::Water => {
                 self.water.record_g_buffer(encoder, targets);
-                self.water.draw_light(&mut targets.begin_picture(encoder, true));
+                self.water.draw_light(&mut targets.begin_light(encoder));
             }
         }
     }
@@ -258,11 +260,11 @@ impl Renderer {
     }
 }
 
-/// The water mesh for a picture of `size` (width, height) pixels. Its number of vertices grows with the square root of
-/// the number of pixels: a small picture can afford more vertices per pixel.
+/// The water mesh for a picture of `size` (width, height) pixels. Its density depends on the size only in steps, so
+/// that a picture whose size changes a little, as the adaptive resolution does, keeps its lattice and index buffer.
 fn mesh_for_picture(view: &View, sea: &SeaAppearance, look: &Look, size: [u32; 2]) -> Mesh {
-    let pixels = f64::from(size[0]) * f64::from(size[1]) / DEFAULT_MESH_PIXELS;
-    Mesh::new(view, sea, look.mesh_detail * pixels.sqrt().clamp(0.05, 2.0), look.extent_km)
+    let density = look.mesh_detail * mesh_density(f64::from(size[0]) * f64::from(size[1]));
+    Mesh::new(view, sea, density, look.extent_km)
 }
 
 /// Number of vertices of the water mesh in a picture of `size` (width, height) pixels that `view` shows of a sea.
@@ -271,7 +273,36 @@ pub fn planned_mesh_vertices(view: &View, sea: &SeaAppearance, look: &Look, size
     (mesh.drawn_columns + 1) * mesh.lattice.rows
 }
 
+/// Number of vertices of the mesh for a picture of `pixels` pixels, divided by the default: powers of the square root
+/// of two. Up to [`DEFAULT_MESH_PIXELS`] it is in proportion to the pixels, because triangles much smaller than a pixel
+/// show nothing more. Above, it grows with the square root of their number, because waves are smooth. At an eighth of
+/// the default a mesh costs little, and a coarser one would lose waves that a small picture still shows.
+fn mesh_density(pixels: f64) -> f64 {
+    let relative = pixels / DEFAULT_MESH_PIXELS;
+    let density = relative.min(relative.sqrt()).clamp(0.125, 2.0);
+    2f64.powf(0.5 * (2.0 * density.log2()).round())
+}
+
 /// The frame uniform of a picture of `size` (width, height) pixels, for tests that call WGSL functions of the renderer.
 pub fn frame_uniform(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
     FrameUniform::new(scene, maps, &mesh_for_picture(&scene.view, &scene.sea, &scene.look, size), size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mesh_density_follows_the_pixels_in_steps() {
+        let density = |width: u32| mesh_density(f64::from(width * width) * 9.0 / 16.0);
+        assert!((density(1280) - 1.0).abs() < 1e-12);
+        assert!((density(640) - 0.25).abs() < 1e-12, "a quarter of the pixels has a quarter of the vertices");
+        assert!((density(5120) - 2.0).abs() < 1e-12);
+        assert!((density(160) - 0.125).abs() < 1e-12);
+        // From 320 to 1280 pixels of width the density grows eight times, in steps of the root of two.
+        let mut seen: Vec<f64> = (20..=80).map(|i| density(16 * i)).collect();
+        assert!(seen.is_sorted());
+        seen.dedup();
+        assert_eq!(seen.len(), 7, "{seen:?}");
+    }
 }

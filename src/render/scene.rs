@@ -83,6 +83,23 @@ impl SeaAppearance {
         }
     }
 
+    /// A deep sea of the significant wave height `hs_m`, m, in a wind of 10 m/s.
+    #[cfg(test)]
+    pub fn for_test(hs_m: f64) -> Self {
+        Self {
+            choppiness: [1.0; 2],
+            hs_m,
+            depth_m: 4000.0,
+            wind_m_s: 10.0,
+            downwind: [1.0, 0.0],
+            unresolved_slope_variance: [0.005; 2],
+            finest_cascade_slope_variance: [0.005; 2],
+            caustic_filter_m: 1.0,
+            still_water_level_m: 0.0,
+            cloud_velocity_m_s: [0.0; 2],
+        }
+    }
+
     /// Half the shortest wavelength of waves that form distinct caustics on the bed, m, for the refractive indices in
     /// `look`; detail of the surface shorter than this is left out of the caustics.
     pub fn caustic_filter_m(plan: &Plan, look: &Look) -> f64 {

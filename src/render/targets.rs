@@ -8,8 +8,13 @@ pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Format of the depth texture. Depth is reverse-Z: near-plane distance divided by distance along the viewing
 /// direction, 0 at infinity.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// Formats of the two textures of the G-buffer: position and slopes of the water in each pixel (WGSL `GBuffer`).
-pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 2] = [wgpu::TextureFormat::Rgba32Uint; 2];
+/// Formats of the three textures of the G-buffer (WGSL `GBuffer`): undisplaced position, slope and stretch, shear and
+/// pixel side of the water in each pixel.
+pub const G_BUFFER_FORMATS: [wgpu::TextureFormat; 3] =
+    [wgpu::TextureFormat::Rg32Float, wgpu::TextureFormat::Rgba16Float, wgpu::TextureFormat::Rg16Float];
+/// Undisplaced position (x and z), m, that the G-buffer holds where there is no water: farther away than any water, so
+/// that a pixel at the edge of the water finds that its neighbour shows something else.
+const NO_WATER_M: f64 = 1e9;
 
 /// Depth test of water mesh and floating objects: a fragment nearer than those before is drawn and writes its depth.
 pub const DEPTH_TEST_OPAQUE: DepthState =
@@ -51,13 +56,12 @@ pub struct Targets {
     pub size: [u32; 2],
     /// Linear light of the picture (HDR), before exposure and tone curve.
     pub hdr: wgpu::TextureView,
-    /// Reverse-Z depth: near-plane distance divided by distance along the viewing direction. Discarded after the frame
-    /// if the picture is for [`OutputKind::Screen`].
+    /// Reverse-Z depth: near-plane distance divided by distance along the viewing direction. The depth of floating
+    /// objects is discarded if the picture is for [`OutputKind::Screen`].
     pub depth: wgpu::TextureView,
     keeps_depth: bool,
-    /// G-buffer (WGSL `GBuffer`) of the water in each pixel. First texture: undisplaced position, distance from eye,
-    /// height and shear; second texture: sides of the pixel on the undisplaced sea, slope and stretch.
-    pub g_buffer: [wgpu::TextureView; 2],
+    /// G-buffer (WGSL `GBuffer`) of the water in each pixel, in [`G_BUFFER_FORMATS`].
+    pub g_buffer: [wgpu::TextureView; 3],
 }
 
 impl Targets {
@@ -73,7 +77,7 @@ impl Targets {
         Self {
             size: [width, height],
             hdr: texture("hdr", output.format(), Usage::TEXTURE_BINDING | Usage::COPY_SRC),
-            depth: texture("depth", DEPTH_FORMAT, depth_usage),
+            depth: texture("depth", DEPTH_FORMAT, Usage::TEXTURE_BINDING | depth_usage),
             keeps_depth,
             g_buffer: G_BUFFER_FORMATS.map(|format| texture("g-buffer", format, Usage::TEXTURE_BINDING)),
         }
@@ -81,25 +85,39 @@ impl Targets {
 
     /// Begins the render pass that draws the water mesh into the G-buffer and the depth texture; clears both first.
     pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
-        let attachments = self.g_buffer.each_ref().map(|view| Some(cleared_attachment(view, wgpu::Color::TRANSPARENT)));
-        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("mesh"),
-            color_attachments: &attachments,
-            depth_stencil_attachment: Some(self.depth_attachment(wgpu::LoadOp::Clear(0.0), true)),
-            ..Default::default()
-        })
+        let far = wgpu::Color { r: NO_WATER_M, g: NO_WATER_M, b: 0.0, a: 0.0 };
+        let [undisplaced, slope_and_stretch, shear_and_side] = &self.g_buffer;
+        let attachments = [
+            (undisplaced, far),
+            (slope_and_stretch, wgpu::Color::TRANSPARENT),
+            (shear_and_side, wgpu::Color::TRANSPARENT),
+        ]
+        .map(|(view, clear)| Some(colour_attachment(view, wgpu::LoadOp::Clear(clear))));
+        begin_pass(encoder, "mesh", &attachments, self.depth_attachment(wgpu::LoadOp::Clear(0.0), true))
     }
 
-    /// Begins the render pass that draws the picture's linear light into `hdr`, cleared to black. If `after_mesh`, it
-    /// keeps the depth that the water mesh has written; else the depth is cleared to infinity.
-    pub fn begin_picture<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
-        let load = if after_mesh { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(0.0) };
-        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("picture"),
-            color_attachments: &[Some(cleared_attachment(&self.hdr, wgpu::Color::BLACK))],
-            depth_stencil_attachment: Some(self.depth_attachment(load, self.keeps_depth)),
-            ..Default::default()
-        })
+    /// Begins the render pass that draws sky and water into `hdr`, cleared to black, after [`Self::begin_mesh`]. It
+    /// tests against the depth of the mesh but cannot write depth, so that its shaders can read the depth texture.
+    pub fn begin_light<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+        let depth = wgpu::RenderPassDepthStencilAttachment { view: &self.depth, depth_ops: None, stencil_ops: None };
+        begin_pass(encoder, "light", &[Some(self.cleared_light())], depth)
+    }
+
+    /// Begins the render pass that draws floating objects over the light and depth of sky and water.
+    pub fn begin_hulls<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+        let light = colour_attachment(&self.hdr, wgpu::LoadOp::Load);
+        begin_pass(encoder, "hulls", &[Some(light)], self.depth_attachment(wgpu::LoadOp::Load, self.keeps_depth))
+    }
+
+    /// Begins a render pass that draws into `hdr` without a mesh drawn before; clears it to black, and the depth to
+    /// infinity.
+    pub fn begin_alone<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+        let depth = self.depth_attachment(wgpu::LoadOp::Clear(0.0), self.keeps_depth);
+        begin_pass(encoder, "picture", &[Some(self.cleared_light())], depth)
+    }
+
+    fn cleared_light(&self) -> wgpu::RenderPassColorAttachment<'_> {
+        colour_attachment(&self.hdr, wgpu::LoadOp::Clear(wgpu::Color::BLACK))
     }
 
     fn depth_attachment(&self, load: wgpu::LoadOp<f32>, keep: bool) -> wgpu::RenderPassDepthStencilAttachment<'_> {
@@ -112,8 +130,23 @@ impl Targets {
     }
 }
 
-/// A colour attachment of `view` that is cleared to `clear` at the start of the pass and stored at its end.
-fn cleared_attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
-    let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store };
+/// A colour attachment of `view` whose contents at the start of the pass are given by `load`, and stored at its end.
+fn colour_attachment(view: &wgpu::TextureView, load: wgpu::LoadOp<wgpu::Color>) -> wgpu::RenderPassColorAttachment<'_> {
+    let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
     wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }
+}
+
+/// Begins a render pass with the given attachments. `label` is its name in debuggers.
+fn begin_pass<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    label: &str,
+    colours: &[Option<wgpu::RenderPassColorAttachment<'_>>],
+    depth: wgpu::RenderPassDepthStencilAttachment<'_>,
+) -> wgpu::RenderPass<'a> {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments: colours,
+        depth_stencil_attachment: Some(depth),
+        ..Default::default()
+    })
 }

@@ -218,7 +218,7 @@ impl FalseColourPass {
         use wgpu::BindingResource::TextureView;
         self.uniform.write(gpu, &ViewUniform::new(scene, maps, targets.size));
         self.show_group = Some(gpu.bind_group("view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
-        let mut pass = targets.begin_picture(encoder, false);
+        let mut pass = targets.begin_alone(encoder);
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
             pass.set_pipeline(&self.surface_pipeline);
             pass.set_bind_group(3, &self.surface_group, &[]);

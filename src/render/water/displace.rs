@@ -14,20 +14,29 @@ gpu_struct! {
     pub struct MeshVertex as "MeshVertex" {
         /// Displaced position (x east, y up, z south) relative to the eye, m, lowered by the curvature of the Earth.
         position: [f32; 3],
-        /// Height of the displaced water above the still water, m.
-        height: f32,
+        /// Mean shear of the waves that are long compared with vertex spacing and pixels at this vertex. Like `slope`
+        /// and `stretch`, it is interpolated between vertices when the mesh is drawn (WGSL `WaterDerivatives`).
+        shear: f32,
         /// Undisplaced position (x, z) relative to the point below the eye, m.
         undisplaced: [f32; 2],
-        /// Slope (along x, z) of the waves that are long compared with vertex spacing and pixels at this vertex. Like
-        /// `stretch` and `shear`, it is interpolated between vertices when the mesh is drawn (WGSL `WaterDerivatives`).
-        slope: [f32; 2],
-        stretch: [f32; 2],
-        shear: [f32; 2],
+        /// Slope of the same waves along x and z, as two half floats.
+        slope: u32,
+        /// Stretch of the same waves along x and z, as two half floats.
+        stretch: u32,
     }
 }
 
 /// Size of a [`MeshVertex`], bytes.
 pub const MESH_VERTEX_BYTES: u64 = size_of::<MeshVertex>() as u64;
+/// Bindings of the group of wave and foam maps: displacement, gradients, slope moments, foam, and two samplers.
+pub const WAVE_MAPS: [BindingType; 6] = [
+    BindingType::TextureArray,
+    BindingType::TextureArray,
+    BindingType::TextureArray,
+    BindingType::TextureArray,
+    BindingType::Sampler,
+    BindingType::Sampler,
+];
 /// Side of a compute workgroup: it displaces 8 columns x 8 rows of vertices; equal to `workgroup_size` in the shader.
 const WORKGROUP_SIDE: u32 = 8;
 
@@ -118,5 +127,35 @@ impl DisplacePass {
         pass.set_bind_group(2, &buffers.draw_group, &[]);
         pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.index_count, 0, 0..1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::scene::SeaAppearance;
+    use crate::render::{SHARED_STRUCTS, mesh_density};
+    use crate::state::camera::View;
+    use crate::state::params::Camera;
+
+    /// Buffers are made anew only where the density of the mesh takes a step: a turned camera and a picture that is a
+    /// little smaller keep them.
+    #[test]
+    fn buffers_change_only_with_the_density() {
+        let gpu = pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers");
+        let shaders = Shaders::default().with_structs(SHARED_STRUCTS);
+        let maps = gpu.bind_group_layout("maps", wgpu::ShaderStages::COMPUTE, &WAVE_MAPS);
+        let mut pass = DisplacePass::new(&gpu, &shaders, &Uniform::new(&gpu, "frame"), &maps);
+        let mut buffer = |heading_deg: f64, pitch_deg: f64, width: f64| {
+            let view = View::new(&Camera { heading_deg, pitch_deg, ..Camera::default() }, 16.0 / 9.0, 0.0);
+            let density = mesh_density(width * width * 9.0 / 16.0);
+            pass.set_mesh(&gpu, &Mesh::new(&view, &SeaAppearance::for_test(2.0), density, 0.0));
+            pass.buffers.as_ref().map(|buffers| buffers.indices.clone())
+        };
+        let first = buffer(0.0, -5.0, 800.0);
+        for (heading_deg, pitch_deg, width) in [(90.0, -5.0, 800.0), (0.0, -60.0, 800.0), (0.0, -5.0, 760.0)] {
+            assert!(buffer(heading_deg, pitch_deg, width) == first, "{heading_deg} {pitch_deg} {width}");
+        }
+        assert!(buffer(0.0, -5.0, 640.0) != first, "a step of the density");
     }
 }

@@ -117,15 +117,18 @@ impl HullPass {
         });
     }
 
-    /// Draws the uploaded hulls. The water must already be in the picture, because its lighting would paint over them.
+    /// Whether anything floats in the picture, so that hulls must be drawn.
+    pub fn is_needed(&self) -> bool {
+        self.vertex_count > 0
+    }
+
+    /// Draws the uploaded hulls in a pass that writes depth, after the pass that lights the water, which only reads it.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup) {
         let (Some((_, group)), Some(pipeline)) = (&self.vertices, &self.pipeline) else { return };
-        if self.vertex_count > 0 {
-            pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, &scene.group, &[]);
-            pass.set_bind_group(1, group, &[]);
-            pass.draw(0..self.vertex_count, 0..1);
-        }
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, &scene.group, &[]);
+        pass.set_bind_group(1, group, &[]);
+        pass.draw(0..self.vertex_count, 0..1);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The water: its mesh is drawn into a G-buffer, and shaders/water/light.wgsl lights each pixel of water once.
 
-use super::displace::DisplacePass;
+use super::displace::{self, DisplacePass};
 use super::material;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
@@ -40,12 +40,10 @@ struct WaterLightVariant {
     fog: bool,
     /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
     point_samples: bool,
-    /// Whether the adapter executes shaders on the CPU; neighbouring pixels then share a mip level, for speed.
-    software_adapter: bool,
 }
 
 impl WaterLightVariant {
-    fn new(scene: &Scene, output: OutputKind, software_adapter: bool) -> Self {
+    fn new(scene: &Scene, output: OutputKind) -> Self {
         let surface = &scene.look.surface;
         let bed = material::is_bed_visible(scene);
         Self {
@@ -58,11 +56,10 @@ impl WaterLightVariant {
             sky_image: scene.look.sky.panorama().is_some(),
             fog: scene.look.sky.fog_extinction_per_km > 0.0,
             point_samples: output == OutputKind::Reference,
-            software_adapter,
         }
     }
 
-    fn constants(self) -> [(&'static str, f64); 10] {
+    fn constants(self) -> [(&'static str, f64); 9] {
         [
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_CAUSTICS", self.caustics),
@@ -73,7 +70,6 @@ impl WaterLightVariant {
             switch_constant("SKY_IMAGE", self.sky_image),
             switch_constant("SKY_FOG", self.fog),
             switch_constant("WATER_POINT_SAMPLES", self.point_samples),
-            switch_constant("SOFTWARE_ADAPTER", self.software_adapter),
         ]
     }
 }
@@ -85,12 +81,10 @@ pub struct WaterPass {
     /// The displaced mesh of the water.
     pub mesh: DisplacePass,
     module: wgpu::ShaderModule,
-    /// Whether the adapter executes shaders on the CPU. Kept here, because asking wgpu copies the adapter's names.
-    software_adapter: bool,
     g_buffer_pipeline: wgpu::RenderPipeline,
     g_buffer_layout: wgpu::BindGroupLayout,
-    /// The two textures of the bound G-buffer, and their bind group; None before the first frame.
-    g_buffer: Option<([wgpu::TextureView; 2], wgpu::BindGroup)>,
+    /// Depth texture drawn with the bound G-buffer, and the bind group of both; None before the first frame.
+    g_buffer: Option<(wgpu::TextureView, wgpu::BindGroup)>,
     light_pipelines: PipelineVariants<WaterLightVariant>,
     maps_layout: wgpu::BindGroupLayout,
     /// Samplers of the maps: the first interpolates between mip levels, the second takes the nearest level.
@@ -103,16 +97,8 @@ impl WaterPass {
     /// Compiles the passes that displace the mesh and fill the G-buffer. [`Self::select_pipeline`] later compiles the
     /// lighting pipelines.
     pub fn new(gpu: &Gpu, shaders: &Shaders, scene: SceneGroup, frame: &Uniform<FrameUniform>) -> Self {
-        let bindings = [
-            BindingType::TextureArray,
-            BindingType::TextureArray,
-            BindingType::TextureArray,
-            BindingType::TextureArray,
-            BindingType::Sampler,
-            BindingType::Sampler,
-        ];
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE;
-        let maps_layout = gpu.bind_group_layout("maps", stages, &bindings);
+        let maps_layout = gpu.bind_group_layout("maps", stages, &displace::WAVE_MAPS);
         let samplers = [wgpu::MipmapFilterMode::Linear, wgpu::MipmapFilterMode::Nearest]
             .map(|mipmap_filter| gpu.sampler("waves", [wgpu::AddressMode::Repeat; 2], mipmap_filter));
         let mesh = DisplacePass::new(gpu, shaders, frame, &maps_layout);
@@ -125,12 +111,16 @@ impl WaterPass {
             g_buffer_layout: gpu.bind_group_layout(
                 "g-buffer",
                 wgpu::ShaderStages::FRAGMENT,
-                &[BindingType::TextureUint; 2],
+                &[
+                    BindingType::DepthTexture,
+                    BindingType::TextureLoaded,
+                    BindingType::TextureLoaded,
+                    BindingType::TextureLoaded,
+                ],
             ),
             scene,
             mesh,
             module,
-            software_adapter: gpu.is_software(),
             g_buffer: None,
             light_pipelines: PipelineVariants::default(),
             maps_layout,
@@ -157,10 +147,11 @@ impl WaterPass {
 
     /// Makes the bind group through which the lighting reads the G-buffer of `targets`, unless it exists already.
     pub fn bind_targets(&mut self, gpu: &Gpu, targets: &Targets) {
-        if self.g_buffer.as_ref().is_none_or(|(bound, _)| *bound != targets.g_buffer) {
-            let resources = targets.g_buffer.each_ref().map(TextureView);
+        if self.g_buffer.as_ref().is_none_or(|(bound, _)| *bound != targets.depth) {
+            let [undisplaced, slope_and_stretch, shear_and_side] = &targets.g_buffer;
+            let resources = [&targets.depth, undisplaced, slope_and_stretch, shear_and_side].map(TextureView);
             self.g_buffer =
-                Some((targets.g_buffer.clone(), gpu.bind_group("g-buffer", &self.g_buffer_layout, &resources)));
+                Some((targets.depth.clone(), gpu.bind_group("g-buffer", &self.g_buffer_layout, &resources)));
         }
     }
 
@@ -168,7 +159,7 @@ impl WaterPass {
     pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
         let (module, format) = (&self.module, self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
-        self.light_pipelines.select(WaterLightVariant::new(scene, self.scene.output, self.software_adapter), |parts| {
+        self.light_pipelines.select(WaterLightVariant::new(scene, self.scene.output), |parts| {
             let program = RenderProgram {
                 module,
                 entry_points: ["light_vertex", "light_fragment"],

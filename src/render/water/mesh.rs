@@ -153,21 +153,6 @@ mod tests {
     use super::*;
     use crate::state::params::Camera;
 
-    fn sea(hs_m: f64) -> SeaAppearance {
-        SeaAppearance {
-            choppiness: [1.0; 2],
-            hs_m,
-            depth_m: 4000.0,
-            wind_m_s: 10.0,
-            downwind: [1.0, 0.0],
-            unresolved_slope_variance: [0.005; 2],
-            finest_cascade_slope_variance: [0.005; 2],
-            caustic_filter_m: 1.0,
-            still_water_level_m: 0.0,
-            cloud_velocity_m_s: [0.0; 2],
-        }
-    }
-
     /// Every view ray that meets the sea, even at a wave crest, meets it inside the lattice.
     #[test]
     fn the_mesh_covers_the_picture() {
@@ -177,7 +162,7 @@ mod tests {
                     for heading_deg in [0.0, 123.0, 359.0] {
                         let camera = Camera { pitch_deg: pitch, y_m, heading_deg, ..Camera::default() };
                         let view = View::new(&camera, 16.0 / 9.0, 0.0);
-                        let mesh = Mesh::new(&view, &sea(hs), 1.0, 0.0);
+                        let mesh = Mesh::new(&view, &SeaAppearance::for_test(hs), 1.0, 0.0);
                         let case = format!("pitch {pitch} y {y_m} hs {hs} heading {heading_deg} {mesh:?}");
                         assert!(mesh.drawn_columns <= mesh.index_buffer_columns, "{case}");
                         let l = mesh.lattice;
@@ -207,7 +192,7 @@ mod tests {
     fn turning_keeps_the_lattice() {
         let mesh = |heading_deg| {
             let camera = Camera { heading_deg, ..Camera::default() };
-            Mesh::new(&View::new(&camera, 1.5, 0.0), &sea(2.0), 1.0, 0.0)
+            Mesh::new(&View::new(&camera, 1.5, 0.0), &SeaAppearance::for_test(2.0), 1.0, 0.0)
         };
         let (a, b) = (mesh(10.0).lattice, mesh(11.3).lattice);
         assert_eq!(a, MeshLattice { first_azimuth: a.first_azimuth, ..b });
