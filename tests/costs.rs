@@ -22,7 +22,7 @@ fn trips(function: &str) -> &'static [f64] {
         "water_slope_moments" => &[2.0],
         "water_mirror_among" => &[8.0],
         "water_glitter" => &[2.0],
-        "foam_map_sample" | "foam_appearance" | "present_interpolated" => &[4.0],
+        "foam_map_sample" | "foam_appearance" => &[4.0],
         _ => &[],
     }
 }
@@ -34,7 +34,7 @@ fn branches_off(function: &str) -> bool {
 
 /// Whether the default picture has a part.
 fn has(part: &Override) -> bool {
-    matches!(part.name.as_deref(), Some("WATER_FOAM" | "PRESENT_SMOOTH"))
+    matches!(part.name.as_deref(), Some("WATER_FOAM" | "TONE_SMOOTH"))
 }
 
 #[derive(Clone, Copy, Default)]
@@ -181,6 +181,7 @@ fn the_budget_of_the_picture_is_that_of_its_shaders() {
         ("water/light", "mesh_fragment", cost::MESH_FRAGMENT_COST),
         ("water/light", "light_fragment", cost::LIGHT_FRAGMENT_COST),
         ("sky/background", "fragment", cost::BACKGROUND_FRAGMENT_COST),
+        ("film/tone", "fragment", cost::TONE_FRAGMENT_COST),
         ("film/present", "fragment", cost::PRESENT_FRAGMENT_COST),
     ];
     let mut wrong = Vec::new();

@@ -113,7 +113,7 @@ impl Targets {
 }
 
 /// A colour attachment of `view` that is cleared to `clear` at the start of the pass and stored at its end.
-fn cleared_attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
+pub fn cleared_attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
     let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store };
     wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }
 }

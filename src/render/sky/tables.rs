@@ -249,7 +249,7 @@ impl SkyTables {
 mod tests {
     use super::*;
     use crate::gpu::readback;
-    use crate::render::film::present::NOON_EXPOSURE;
+    use crate::render::film::tone::NOON_EXPOSURE;
     use crate::render::sky::uniform::night_gain;
     use crate::state::look::SkyLook;
 
