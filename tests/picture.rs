@@ -252,8 +252,8 @@ fn no_sparks_fly_away_from_the_sun() {
     assert!(brightest < 150.0, "{brightest}");
 }
 
-/// Pictures drawn smaller than the canvas are enlarged to something nearer to the picture drawn at full size than linear
-/// interpolation makes of them.
+/// Pictures drawn smaller than the canvas are enlarged to something nearer to the picture drawn at full size than
+/// linear interpolation makes of them.
 #[test]
 fn an_enlarged_picture_is_nearer_to_a_large_one_than_an_interpolated_one() {
     let gpu = gpu();

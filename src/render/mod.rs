@@ -150,14 +150,11 @@ impl Renderer {
         self.prepare_frame(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
         if shows_view {
             self.record_view(gpu, encoder, maps, scene);
-            self.timer.end_part(encoder, "view");
         } else {
             self.record_picture(gpu, encoder, scene);
-            self.tone.record_bloom(encoder);
-            self.timer.end_part(encoder, "bloom");
+            self.tone.record_bloom(encoder, &self.timer);
         }
-        self.tone.record(encoder);
-        self.timer.end_part(encoder, "tone");
+        self.tone.record(encoder, &self.timer);
     }
 
     /// Sets the picture `hdr` that the tone pass reads with the film of `scene`, and the finished picture that
@@ -193,47 +190,42 @@ impl Renderer {
     /// Records the passes that draw the false-colour view selected in `scene.look`, in place of the picture.
     fn record_view(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
-        self.eye.run(encoder, scene, &self.water);
+        self.eye.run(encoder, &self.timer, scene, &self.water);
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
-            self.water.displace(encoder);
+            self.water.displace(encoder, &self.timer);
         }
         let make = || FalseColourPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water);
         let view = self.view_pass.get_or_insert_with(make);
-        view.draw(gpu, encoder, (maps, scene), &self.water, targets);
+        view.draw(gpu, (encoder, &self.timer), (maps, scene), &self.water, targets);
     }
 
     /// Records the passes that draw the picture's linear light into the render targets, before bloom and exposure: eye
     /// height, sky tables that are out of date, water, sky and floating objects.
     fn record_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
-        self.eye.run(encoder, scene, &self.water);
-        self.timer.end_part(encoder, "eye");
-        self.sky.record_outdated_tables(gpu, encoder, scene);
-        self.timer.end_part(encoder, "sky tables");
-        self.water.record_g_buffer(encoder, targets);
-        self.timer.end_part(encoder, "mesh");
-        let mut pass = targets.begin_picture(encoder, true);
+        self.eye.run(encoder, &self.timer, scene, &self.water);
+        self.sky.record_outdated_tables(gpu, encoder, &self.timer, scene);
+        self.water.record_g_buffer(encoder, &self.timer, targets);
+        let mut pass = targets.begin_picture(encoder, true, self.timer.render_pass("picture"));
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw_light(&mut pass);
         self.hulls.draw(&mut pass, &self.water.scene);
-        drop(pass);
-        self.timer.end_part(encoder, "picture");
     }
 
     /// Records one part of the last picture again, alone, even if its results are up to date, to measure its GPU time.
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
-        let Some(targets) = &self.targets else { return };
+        let (Some(targets), timer) = (&self.targets, &Timer::default()) else { return };
         match part {
-            TimedPart::SkyTables => self.sky.record_all_tables(encoder),
+            TimedPart::SkyTables => self.sky.record_all_tables(encoder, timer),
             TimedPart::Background => {
-                self.background.draw(&mut targets.begin_picture(encoder, false), &self.water.scene, &self.sky);
+                self.background.draw(&mut targets.begin_picture(encoder, false, None), &self.water.scene, &self.sky);
             }
-            TimedPart::Mesh => self.water.record_g_buffer(encoder, targets),
+            TimedPart::Mesh => self.water.record_g_buffer(encoder, timer, targets),
             TimedPart::Water => {
-                self.water.record_g_buffer(encoder, targets);
-                self.water.draw_light(&mut targets.begin_picture(encoder, true));
+                self.water.record_g_buffer(encoder, timer, targets);
+                self.water.draw_light(&mut targets.begin_picture(encoder, true, None));
             }
-            TimedPart::Tone => self.tone.record(encoder),
+            TimedPart::Tone => self.tone.record(encoder, timer),
         }
     }
 

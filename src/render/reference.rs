@@ -12,6 +12,7 @@ use super::targets::{HDR_FORMAT, OutputKind};
 use super::water::displace;
 use super::water::mesh::{self, Mesh};
 use crate::gpu::Gpu;
+use crate::gpu::timer::Timer;
 use crate::sim::Maps;
 use half::f16;
 
@@ -105,8 +106,8 @@ impl ReferenceRenderer {
         let view = mean.create_view(&wgpu::TextureViewDescriptor::default());
         self.renderer.set_picture(gpu, scene, &view, false);
         let mut encoder = gpu.encoder("reference");
-        self.renderer.tone.record_bloom(&mut encoder);
-        self.renderer.tone.record(&mut encoder);
+        self.renderer.tone.record_bloom(&mut encoder, &Timer::default());
+        self.renderer.tone.record(&mut encoder, &Timer::default());
         gpu.submit(encoder);
     }
 

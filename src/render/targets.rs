@@ -2,6 +2,7 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, DepthState};
+use crate::gpu::timer::Timer;
 
 /// Format of textures that hold linear light (RGB in half floats), except for the samples of reference pictures.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
@@ -80,24 +81,32 @@ impl Targets {
     }
 
     /// Begins the render pass that draws the water mesh into the G-buffer and the depth texture; clears both first.
-    pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+    pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, timer: &Timer) -> wgpu::RenderPass<'a> {
         let attachments = self.g_buffer.each_ref().map(|view| Some(cleared_attachment(view, wgpu::Color::TRANSPARENT)));
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("mesh"),
             color_attachments: &attachments,
             depth_stencil_attachment: Some(self.depth_attachment(wgpu::LoadOp::Clear(0.0), true)),
+            timestamp_writes: timer.render_pass("mesh"),
             ..Default::default()
         })
     }
 
     /// Begins the render pass that draws the picture's linear light into `hdr`, cleared to black. If `after_mesh`, it
     /// keeps the depth that the water mesh has written; else the depth is cleared to infinity.
-    pub fn begin_picture<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, after_mesh: bool) -> wgpu::RenderPass<'a> {
+    /// The pass writes `timestamps`, if given.
+    pub fn begin_picture<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        after_mesh: bool,
+        timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) -> wgpu::RenderPass<'a> {
         let load = if after_mesh { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(0.0) };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picture"),
             color_attachments: &[Some(cleared_attachment(&self.hdr, wgpu::Color::BLACK))],
             depth_stencil_attachment: Some(self.depth_attachment(load, self.keeps_depth)),
+            timestamp_writes: timestamps,
             ..Default::default()
         })
     }

@@ -8,6 +8,7 @@ use super::water::light::WaterPass;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, RenderProgram};
 use crate::gpu::layout::gpu_struct;
+use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
@@ -193,14 +194,14 @@ impl FalseColourPass {
     pub fn draw(
         &self,
         gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
+        (encoder, timer): (&mut wgpu::CommandEncoder, &Timer),
         (maps, scene): (&Maps, &Scene),
         water: &WaterPass,
         targets: &Targets,
     ) {
         use wgpu::BindingResource::TextureView;
         self.uniform.write(gpu, &ViewUniform::new(scene, maps, targets.size));
-        let mut pass = targets.begin_picture(encoder, false);
+        let mut pass = targets.begin_picture(encoder, false, timer.render_pass("view"));
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
             pass.set_pipeline(&self.surface_pipeline);
             pass.set_bind_group(3, &self.surface_group, &[]);

@@ -1,10 +1,11 @@
-//! The pass that turns the linear light of a picture into screen colours (shaders/film/tone.wgsl): smoothed edges, bloom,
-//! exposure, tone curve, encoding, dither.
+//! The pass that turns the linear light of a picture into screen colours (shaders/film/tone.wgsl): smoothed edges,
+//! bloom, exposure, tone curve, encoding, dither.
 
 use super::bloom::BloomPass;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
 use crate::gpu::layout::gpu_struct;
+use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::scene::Scene;
 use crate::render::sky::uniform::{LightBuffer, night_gain};
@@ -35,8 +36,8 @@ gpu_struct! {
 /// Automatic exposure (factor from radiance to the tone curve's input) of a clear noon with the sun 60 degrees high.
 /// Divided by `night_gain`, it is also the fixed exposure at 0 EV.
 pub const NOON_EXPOSURE: f32 = 0.444;
-/// Format of the finished picture. Eight bits are what screens and files take: the tone pass rounds and dithers, so that
-/// the present pass can copy, and a picture costs no more memory traffic than it must.
+/// Format of the finished picture. Eight bits are what screens and files take: the tone pass rounds and dithers, so
+/// that the present pass can copy, and a picture costs no more memory traffic than it must.
 pub const FINISHED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// The pass that turns the linear light of a picture into screen colours, at the picture's size: it smooths edges and
@@ -91,8 +92,8 @@ impl TonePass {
         }
     }
 
-    /// Sets the picture `hdr` (linear light) that the pass reads, and allocates its finished picture, and bloom textures
-    /// if `film` has bloom. No-op if unchanged. Returns the finished picture.
+    /// Sets the picture `hdr` (linear light) that the pass reads, and allocates its finished picture, and bloom
+    /// textures if `film` has bloom. No-op if unchanged. Returns the finished picture.
     pub fn set_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) -> &wgpu::TextureView {
         let has_bloom = film.bloom > 0.0;
         let known = self.picture.take().filter(|p| p.hdr == *hdr && p.has_bloom == has_bloom);
@@ -139,16 +140,18 @@ impl TonePass {
 
     /// Records the compute passes that make the bloom of the picture last passed to `set_picture`; none if bloom is
     /// off.
-    pub fn record_bloom(&self, encoder: &mut wgpu::CommandEncoder) {
-        self.bloom.run(encoder);
+    pub fn record_bloom(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
+        self.bloom.run(encoder, timer);
     }
 
-    /// Records the pass, which draws the finished picture of [`Self::set_picture`]; nothing without a picture.
-    pub fn record(&self, encoder: &mut wgpu::CommandEncoder) {
+    /// Records the pass, the last one of a frame, which draws the finished picture of [`Self::set_picture`]; nothing
+    /// without a picture.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
         let Some(picture) = &self.picture else { return };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("tone"),
             color_attachments: &[Some(cleared_attachment(&picture.finished, wgpu::Color::BLACK))],
+            timestamp_writes: timer.last_render_pass("tone"),
             ..Default::default()
         });
         pass.set_pipeline(&self.pipeline);
