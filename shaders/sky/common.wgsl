@@ -1,8 +1,8 @@
 // Size of the look-up table of the clear sky, texels: azimuth by elevation.
 const SKY_VIEW_SIZE = vec2f(192.0, 128.0);
 
-// Coordinate along the rows of that table, 0 to 1, of an azimuth from the sun with the given cosine: the root of the sine
-// of half the azimuth. Columns lie closest at the sun.
+// Coordinate along the rows of that table, 0 to 1, of an azimuth from the sun with the given cosine: the root of the
+// sine of half the azimuth. Columns lie closest at the sun.
 fn sky_view_azimuth_coordinate(cosine: f32) -> f32 {
   return sqrt(sqrt(max(0.5 - 0.5 * cosine, 0.0)));
 }

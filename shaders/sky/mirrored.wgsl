@@ -10,8 +10,8 @@ const MIRRORED_PI = 3.14159265359;
 // Steps between the samples, in standard deviations, and their numbers on each side of the middle.
 const MIRRORED_STEPS = vec2f(0.75, 0.9);
 const MIRRORED_SAMPLES = vec2i(2, 4);
-// Standard deviation of the sideways turn, relative to that of the elevation, of level rays, and its growth with the sine
-// of their elevation. Fitted to reference pictures.
+// Standard deviation of the sideways turn, relative to that of the elevation, of level rays, and its growth with the
+// sine of their elevation. Fitted to reference pictures.
 const MIRRORED_SIDE_RATIO = vec2f(0.3, 2.5);
 
 @compute @workgroup_size(8, 8)
@@ -22,7 +22,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let side = vec3f(east.x, 0.0, east.y);
   let above = cross(side, middle);
   let spread = MIRRORED_FIRST_SPREAD * exp2(f32(id.z));
-  let steps = spread * MIRRORED_STEPS * vec2f((MIRRORED_SIDE_RATIO.x + MIRRORED_SIDE_RATIO.y * max(middle.y, 0.0)), 1.0);
+  let side_ratio = MIRRORED_SIDE_RATIO.x + MIRRORED_SIDE_RATIO.y * max(middle.y, 0.0);
+  let steps = spread * MIRRORED_STEPS * vec2f(side_ratio, 1.0);
   // Texels of the environment map some steps long, which fits reference pictures better than shorter ones.
   let lod = max(log2(steps.y * f32(textureDimensions(environment_map).y) / MIRRORED_PI) + 1.5, 0.0);
   var sum = vec4f(0.0);

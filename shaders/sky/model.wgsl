@@ -15,7 +15,8 @@ fn sky_clear_radiance(dir: vec3f, above: f32) -> vec3f {
   let span = select(0.5 * ATM_PI - sky.horizon_dip, 0.5 * ATM_PI + sky.horizon_dip, above >= 0.0);
   let s = sqrt(min(abs(above) / span, 1.0)) * (half_rows - 1.0);
   let row = select(half_rows - 1.0 - s, half_rows + s, above >= 0.0);
-  let uv = vec2f(atm_table_coordinate(sky_view_azimuth_coordinate(cos_azimuth), SKY_VIEW_SIZE.x), (row + 0.5) / SKY_VIEW_SIZE.y);
+  let column = atm_table_coordinate(sky_view_azimuth_coordinate(cos_azimuth), SKY_VIEW_SIZE.x);
+  let uv = vec2f(column, (row + 0.5) / SKY_VIEW_SIZE.y);
   return textureSampleLevel(sky_view_map, sky_sampler, uv, 0.0).rgb;
 }
 

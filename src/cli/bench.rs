@@ -33,7 +33,8 @@ fn pass_json(row: &PassTiming) -> Value {
         "cascades": row.fft_size_and_cascades.map(|s| s[1]), "size": row.picture_size,
         "gpu_ms": t.gpu_ms, "least_ms": t.min_wall_ms, "p10_ms": t.wall_percentiles_ms[0],
         "median_ms": t.wall_percentiles_ms[1], "p90_ms": t.wall_percentiles_ms[2],
-        "least_cpu_ms": t.cpu_ms, "bytes": row.cost.map(|c| c.bytes), "flops": row.cost.map(|c| c.flops), "reads": row.cost.map(|c| c.reads),
+        "least_cpu_ms": t.cpu_ms, "bytes": row.cost.map(|c| c.bytes), "flops": row.cost.map(|c| c.flops),
+        "reads": row.cost.map(|c| c.reads),
         "dispatches": row.dispatches,
     })
 }

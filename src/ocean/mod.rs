@@ -222,7 +222,7 @@ impl Ocean {
         self.appearance.cross_faded_value(self.sim.cross_fade_weight()).still_water_level_m
     }
 
-    /// The timer that measures the GPU times of the parts of a frame; simulation and renderer mark each part's end.
+    /// The timer that measures the GPU times of the parts of a frame; the passes of simulation and renderer write to it.
     pub fn timer(&self) -> &Timer {
         &self.timer
     }

@@ -102,8 +102,8 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// Compiles what every picture needs from `shaders`; the rest is compiled at first use. `screen_format` is the format of the
-    /// texture that [`Self::present`] draws into, `output` the purpose of the pictures.
+    /// Compiles what every picture needs from `shaders`; the rest is compiled at first use. `screen_format` is the
+    /// format of the texture that [`Self::present`] draws into, `output` the purpose of the pictures.
     pub fn new(gpu: &Gpu, shaders: &Shaders, screen_format: wgpu::TextureFormat, output: OutputKind) -> Self {
         let shaders = shaders.clone().with_structs(SHARED_STRUCTS);
         let frame = Uniform::new(gpu, "frame");
