@@ -9,7 +9,7 @@
 //!   otherwise.
 //! - `dir` is the direction that the wind comes from, in degrees clockwise from north. Waves travel the opposite way.
 //! - S(omega) is the one-sided variance density of the elevation, m^2 s. Its integral is m0, and Hs = 4 sqrt(m0).
-//! - Colours are linear light until the last shader. Depth is reverse-Z.
+//! - Colours are linear light up to the tone pass. Depth is reverse-Z.
 //!
 //! Cargo features, each of which includes the previous ones:
 //! - none: [`state`], [`waves`], [`point`], [`optics`], [`files`] and [`oracle`]. Spectra, plans, statistics, and the

@@ -280,7 +280,7 @@ fn bench_times_every_pass() {
     let passes = json["passes"].as_array().expect("passes");
     let row = |pass: &str| passes.iter().find(|row| row["pass"] == pass).unwrap_or_else(|| panic!("{pass}"));
     let sim = ["spectrum", "rows", "columns", "waves", "mips", "foam", "step"];
-    for pass in sim.iter().chain(&["sky tables", "background", "mesh", "water", "present", "frame"]) {
+    for pass in sim.iter().chain(&["sky tables", "background", "mesh", "water", "tone", "present", "frame"]) {
         let ms = |which: &str| row(pass)[which].as_f64().expect(pass);
         assert!(ms("least_ms") > 0.0 && ms("least_ms") <= ms("median_ms"), "{pass}");
     }

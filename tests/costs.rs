@@ -65,17 +65,23 @@ fn of_pixels(shader: &Instrumented, picture: &[[f16; 4]], tag: u8) -> Executed {
     Executed { mean: means[count], most: most.into(), functions: shader.functions.iter().cloned().zip(means).collect() }
 }
 
-/// The default picture, drawn with some shaders replaced: the ocean, and the picture's linear light and final colours.
-fn picture(gpu: &Gpu, replaced: &[(&str, &Instrumented)]) -> (Ocean, [Vec<[f16; 4]>; 2]) {
+/// Format of the canvas, and of the picture's linear light.
+const FORMAT: TextureFormat = TextureFormat::Rgba16Float;
+
+/// The default ocean, drawn with some shaders replaced.
+fn ocean(gpu: &Gpu, replaced: &[(&str, &Instrumented)]) -> Ocean {
     let shaders = replaced.iter().fold(Shaders::default(), |all, (module, new)| all.replaced(module, new.text.clone()));
-    let format = TextureFormat::Rgba16Float;
-    let mut ocean = Ocean::with_shaders(gpu, format, OutputKind::Screen, &Params::default(), shaders);
+    Ocean::with_shaders(gpu, FORMAT, OutputKind::Screen, &Params::default(), shaders)
+}
+
+/// A picture of `size` pixels: its linear light, and the colours of a canvas of [`SIZE_PX`] that shows it.
+fn picture(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> [Vec<[f16; 4]>; 2] {
     let mut encoder = gpu.encoder("counts");
-    ocean.record_frame_with_complete_foam(&mut encoder, SIZE_PX);
+    ocean.record_frame_with_complete_foam(&mut encoder, size);
     let light = readback::stage_texture(gpu, &mut encoder, ocean.lit_picture_texture().expect("a picture"), 0);
-    let shown = PendingPicture::submit(gpu, encoder, format, SIZE_PX, |pass| ocean.present(pass));
+    let shown = PendingPicture::submit(gpu, encoder, FORMAT, SIZE_PX, |pass| ocean.present(pass));
     let bytes = pollster::block_on(async { [light.read(gpu).await, shown.read(gpu).await] });
-    (ocean, bytes.map(|bytes| bytemuck::pod_collect_to_vec(&bytes.expect("read-back"))))
+    bytes.map(|bytes| bytemuck::pod_collect_to_vec(&bytes.expect("read-back")))
 }
 
 /// What the displacement of the mesh of a drawn picture executes.
@@ -185,7 +191,8 @@ fn check(all: &[(&str, Executed, ShaderCost)]) {
 fn the_costs_of_light_and_sky_are_what_they_execute() {
     let light = instrument::fragment(&text("water/light"), "light_fragment", 100);
     let sky = instrument::fragment(&text("sky/background"), "fragment", 200);
-    let (_, [lit, _]) = picture(&common::gpu(), &[("water/light", &light), ("sky/background", &sky)]);
+    let gpu = common::gpu();
+    let [lit, _] = picture(&gpu, &mut ocean(&gpu, &[("water/light", &light), ("sky/background", &sky)]), SIZE_PX);
     check(&[
         ("LIGHT_FRAGMENT_COST", of_pixels(&light, &lit, 100), cost::LIGHT_FRAGMENT_COST),
         ("BACKGROUND_FRAGMENT_COST", of_pixels(&sky, &lit, 200), cost::BACKGROUND_FRAGMENT_COST),
@@ -193,10 +200,12 @@ fn the_costs_of_light_and_sky_are_what_they_execute() {
 }
 
 #[test]
-fn the_costs_of_mesh_and_film_are_what_they_execute() {
+fn the_costs_of_mesh_and_tone_are_what_they_execute() {
     let gpu = common::gpu();
-    let present = instrument::fragment(&text("film/present"), "fragment", 100);
-    let (ocean, [_, shown]) = picture(&gpu, &[("film/present", &present)]);
+    // The tone pass writes bytes that the present pass copies, so that the canvas shows its counts.
+    let tone = instrument::fragment(&text("film/tone"), "fragment", 100);
+    let mut ocean = ocean(&gpu, &[("film/tone", &tone)]);
+    let [_, shown] = picture(&gpu, &mut ocean, SIZE_PX);
     let params = Params::default();
     let planned = planned_vertex_count(&params, &Plan::new(&params), SIZE_PX);
     assert_eq!(planned, ocean.vertex_count(), "budgets know the number of vertices without a GPU");
@@ -204,7 +213,19 @@ fn the_costs_of_mesh_and_film_are_what_they_execute() {
         ("DISPLACE_VERTEX_COST", displacement(&gpu, &ocean), cost::DISPLACE_VERTEX_COST),
         ("MESH_VERTEX_COST", without_loops("water/light", "mesh_vertex"), cost::MESH_VERTEX_COST),
         ("MESH_FRAGMENT_COST", without_loops("water/light", "mesh_fragment"), cost::MESH_FRAGMENT_COST),
-        ("PRESENT_FRAGMENT_COST", of_pixels(&present, &shown, 100), cost::PRESENT_FRAGMENT_COST),
+        ("TONE_FRAGMENT_COST", of_pixels(&tone, &shown, 100), cost::TONE_FRAGMENT_COST),
+    ]);
+}
+
+#[test]
+fn the_costs_of_copying_and_enlarging_are_what_they_execute() {
+    let gpu = common::gpu();
+    let present = instrument::fragment(&text("film/present"), "fragment", 100);
+    let mut ocean = ocean(&gpu, &[("film/present", &present)]);
+    let [copied, enlarged] = [SIZE_PX, [1280, 720]].map(|size| picture(&gpu, &mut ocean, size)[1].clone());
+    check(&[
+        ("COPY_FRAGMENT_COST", of_pixels(&present, &copied, 100), cost::COPY_FRAGMENT_COST),
+        ("ENLARGE_FRAGMENT_COST", of_pixels(&present, &enlarged, 100), cost::ENLARGE_FRAGMENT_COST),
     ]);
 }
 

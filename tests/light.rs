@@ -199,8 +199,8 @@ fn fog_is_what_quadrature_gives() {
 fn tone(curve: u32, colours: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let cases: Vec<Case> =
         colours.iter().map(|c| [[c[0] as f32, c[1] as f32, c[2] as f32, curve as f32], [0.0; 4]]).collect();
-    let body = "return vec4f(present_tone(u32(a.w), a.xyz), 0.0);";
-    ask(&shaders(), "film/present", body, &cases).into_iter().map(|a| [a[0], a[1], a[2]]).collect()
+    let body = "return vec4f(tone_encoded(u32(a.w), a.xyz), 0.0);";
+    ask(&shaders(), "film/tone", body, &cases).into_iter().map(|a| [a[0], a[1], a[2]]).collect()
 }
 
 fn srgb(c: f64) -> f64 {

@@ -4,7 +4,8 @@ mod common;
 
 use seastate::gpu::Gpu;
 use seastate::gpu::map_format::MapFormat;
-use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture, draw_picture};
+use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, flip_errors, mean_error};
+use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture, draw_picture, present_and_read_back};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::point::StrongestWaves;
 use seastate::sim::MAX_FOAM_STEPS;
@@ -249,4 +250,52 @@ fn no_sparks_fly_away_from_the_sun() {
     let pixels = render(&gpu, "wind=3&n=128&t=40&sunaz=220&foam=0&pitch=-15");
     let brightest = pixels[pixels.len() / 3..].iter().map(|p| luminance(*p)).fold(0.0, f64::max);
     assert!(brightest < 150.0, "{brightest}");
+}
+
+/// Pictures drawn smaller than the canvas are enlarged to something nearer to the picture drawn at full size than
+/// linear interpolation makes of them.
+#[test]
+fn an_enlarged_picture_is_nearer_to_a_large_one_than_an_interpolated_one() {
+    let gpu = gpu();
+    let size = [320u32, 180];
+    let flip = |a: &SrgbPicture, b: &SrgbPicture| mean_error(&flip_errors(a, b, PIXELS_PER_DEGREE).expect("FLIP"));
+    for state in ["wind=10&n=64&t=20", "wind=20&fetch=500&n=64&t=40&sun=12&sunaz=40&afloat=buoy*0*-14_boat*6*-25"] {
+        let (params, notices) = query::parse(state);
+        assert_eq!(notices, Vec::<String>::new());
+        let mut ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &params);
+        let mut show = |drawn: [u32; 2], canvas: [u32; 2]| {
+            let mut encoder = gpu.encoder("test");
+            ocean.record_frame_with_complete_foam(&mut encoder, drawn);
+            let pixels = present_and_read_back(&gpu, encoder, canvas, |pass| ocean.present(pass));
+            SrgbPicture::from_rgba(canvas[0], &pollster::block_on(pixels).expect("a picture"))
+        };
+        let full = show(size, size);
+        for small in [[160, 90], [192, 108], [246, 139]] {
+            let enlarged = flip(&full, &show(small, size));
+            let interpolated = flip(&full, &interpolated(&show(small, small), size));
+            eprintln!("{state}, {small:?}: {enlarged:.4}, interpolated {interpolated:.4}");
+            assert!(enlarged < interpolated, "{state}, {small:?}: {enlarged}, interpolated {interpolated}");
+        }
+    }
+}
+
+/// A picture scaled to `size` by linear interpolation.
+fn interpolated(small: &SrgbPicture, size: [u32; 2]) -> SrgbPicture {
+    let own = [small.width, small.height];
+    let axis = |i: usize, at: usize| {
+        let place = (at as f64 + 0.5) * own[i] as f64 / f64::from(size[i]) - 0.5;
+        let first = place.floor();
+        let [a, b] = [first, first + 1.0].map(|p| p.clamp(0.0, own[i] as f64 - 1.0) as usize);
+        (a, b, place - first)
+    };
+    let pixel = |i: usize| {
+        let ((left, right, fx), (top, bottom, fy)) = (axis(0, i % size[0] as usize), axis(1, i / size[0] as usize));
+        let at = |x: usize, y: usize, c: usize| f64::from(small.pixels[y * own[0] + x][c]);
+        std::array::from_fn(|c| {
+            let row = |y: usize| at(left, y, c) + (at(right, y, c) - at(left, y, c)) * fx;
+            (row(top) + (row(bottom) - row(top)) * fy).round() as u8
+        })
+    };
+    let [width, height] = size.map(|s| s as usize);
+    SrgbPicture { width, height, pixels: (0..width * height).map(pixel).collect() }
 }

@@ -231,7 +231,7 @@ fn covariance(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     (0..pixels).map(of).sum::<f64>() / pixels as f64
 }
 
-/// Draws many states with as few allocations as possible; the present pass paints magenta what is not a number.
+/// Draws many states with as few allocations as possible; the tone pass paints magenta what is not a number.
 fn broken_pixels(states: std::ops::Range<u32>) -> Vec<String> {
     const SIZE: [u32; 2] = [48, 32];
     let gpu = gpu();

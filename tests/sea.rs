@@ -5,6 +5,7 @@ mod common;
 use common::{gpu, maps, params, read};
 use seastate::gpu::Gpu;
 use seastate::gpu::readback;
+use seastate::gpu::timer::Timer;
 use seastate::lab::stats;
 use seastate::shaders::Shaders;
 use seastate::sim::{MAX_FOAM_STEPS, Simulation};
@@ -99,7 +100,7 @@ fn raising_n_keeps_every_wave() {
         let mut sim = common::simulation(&gpu, state);
         let mut encoder = gpu.encoder("test");
         let step = sim.upload_sea_uniform(&gpu, 0.0, false);
-        sim.passes.spectrum.run(&mut encoder, &sim.resources, step);
+        sim.passes.spectrum.run(&mut encoder, &Timer::default(), &sim.resources, step);
         let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.current_waves().h0);
         gpu.submit(encoder);
         let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");

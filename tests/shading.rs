@@ -13,6 +13,7 @@ use seastate::shaders::Shaders;
 use seastate::waves::slopes;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
+use wgpu::util::DeviceExt;
 use wgpu::{BindingResource, BufferUsages};
 
 /// The module that is called.
@@ -100,7 +101,7 @@ struct Bench {
     ocean: Ocean,
     frame: wgpu::Buffer,
     material: wgpu::Buffer,
-    environment: wgpu::TextureView,
+    mirrored_sky: wgpu::TextureView,
     sky: wgpu::Sampler,
     foot: DVec2,
 }
@@ -127,10 +128,10 @@ impl Bench {
         let frame = wgsl::buffer(&gpu, bytemuck::bytes_of(&frame), BufferUsages::UNIFORM);
         let material = MaterialUniform::new(&scene);
         let material = wgsl::buffer(&gpu, bytemuck::bytes_of(&material), BufferUsages::UNIFORM);
-        let environment = environment(&gpu);
+        let mirrored_sky = mirrored_sky(&gpu);
         let modes = [wgpu::AddressMode::Repeat, wgpu::AddressMode::ClampToEdge];
         let sky = gpu.sampler("made-up sky", modes, wgpu::MipmapFilterMode::Nearest);
-        Self { gpu, ocean, frame, material, environment, sky, foot: DVec2::new(params.camera.x_m, params.camera.z_m) }
+        Self { gpu, ocean, frame, material, mirrored_sky, sky, foot: DVec2::new(params.camera.x_m, params.camera.z_m) }
     }
 
     fn kernel(&mut self, shaders: Shaders) -> Kernel<'_> {
@@ -156,9 +157,9 @@ impl Bench {
             0,
             &[
                 (0, self.frame.as_entire_binding()),
-                (4, BindingResource::TextureView(&self.environment)),
                 (5, BindingResource::Sampler(&self.sky)),
                 (9, self.material.as_entire_binding()),
+                (10, BindingResource::TextureView(&self.mirrored_sky)),
             ],
         );
         common::bind_maps(&mut kernel, &self.gpu, self.ocean.simulation());
@@ -177,20 +178,35 @@ fn sky_blue(dir: DVec3) -> f64 {
     0.5 + 0.5 * dir.dot(DVec3::new(0.4, 0.6, -0.69))
 }
 
-/// A furnace in red; blue depends on the direction. The same mapping as the sky's environment.
-fn environment(gpu: &Gpu) -> wgpu::TextureView {
-    const SIZE: [u32; 2] = [256, 128];
+/// A furnace in red; blue depends on the direction. The same mapping as the table of the mirrored sky; its layers, of
+/// which rougher water takes later ones, are alike.
+fn mirrored_sky(gpu: &Gpu) -> wgpu::TextureView {
+    const SIZE: [u32; 3] = [256, 256, 6];
     let texel = |i: u32| {
-        let azimuth = TAU * (f64::from(i % SIZE[0]) + 0.5) / f64::from(SIZE[0]);
-        let elevation = PI * ((f64::from(i / SIZE[0]) + 0.5) / f64::from(SIZE[1]) - 0.5);
-        let dir = DVec3::new(azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos());
-        [1.0, 0.0, sky_blue(dir), 1.0].map(f16::from_f64)
+        let [x, y] = [i % SIZE[0], i / SIZE[0] % SIZE[1]];
+        // Azimuths are counted along the sides of a square with corners in north, east, south and west.
+        let turn = 4.0 * ((f64::from(x) + 0.5) / f64::from(SIZE[0]) + 0.25).fract();
+        let is_south = turn >= 2.0;
+        let east = if is_south { 3.0 - turn } else { turn - 1.0 };
+        let south = if is_south { 1.0 - east.abs() } else { east.abs() - 1.0 };
+        let half_tangent = 2.0 * (f64::from(y) + 0.5) / f64::from(SIZE[1]) - 1.0;
+        let (sin, cos) = (2.0 * half_tangent.atan()).sin_cos();
+        let level = DVec2::new(east, south).normalize() * cos;
+        [1.0, 0.0, sky_blue(DVec3::new(level.x, sin, level.y)), 1.0].map(f16::from_f64)
     };
-    let texels: Vec<[f16; 4]> = (0..SIZE[0] * SIZE[1]).map(texel).collect();
-    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-    let size = [SIZE[0], SIZE[1], 1];
-    let texture = gpu.texture("made-up sky", size, 1, wgpu::TextureFormat::Rgba16Float, usage);
-    gpu.write_texture(&texture, 0, bytemuck::cast_slice(&texels));
+    let texels: Vec<[f16; 4]> = (0..SIZE.iter().product()).map(texel).collect();
+    let descriptor = wgpu::TextureDescriptor {
+        label: Some("made-up sky"),
+        size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: SIZE[2] },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D3,
+        format: wgpu::TextureFormat::Rgba16Float,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    };
+    let order = wgpu::util::TextureDataOrder::LayerMajor;
+    let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, bytemuck::cast_slice(&texels));
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
@@ -671,7 +687,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "F5: the sun's cosine left out",
-        &[("density / (4.0 * h2 * h2)", "density / (4.0 * h2 * h2 * max(l.y, 1e-3))")],
+        &[("facets / (4.0 * h2 * h2)", "facets / (4.0 * h2 * h2 * max(l.y, 1e-3))")],
         "glitter over 1",
     ),
     Fault("G1: no cross terms", &[("sums.shear + weight.x", "sums.shear + 0.0")], "slope against differences"),

@@ -2,7 +2,7 @@
 
 fn ask_mirror(v: vec3f, sun: vec3f, mean: vec2f, variance: vec3f) -> vec4f {
   frame.sun_direction = sun;
-  // The environment is red and blue, the sun green.
+  // The mirrored sky is red and blue, the sun green.
   light.sun_irradiance = vec3f(0.0, 1.0, 0.0);
   var slope: WaterSlope;
   slope.mean = mean;

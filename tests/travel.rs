@@ -6,6 +6,7 @@ mod common;
 
 use common::{gpu, simulation};
 use seastate::gpu::readback;
+use seastate::gpu::timer::Timer;
 use std::f64::consts::TAU;
 
 const N: usize = 64;
@@ -32,8 +33,8 @@ fn speed(state: &str, ix: i32, iz: i32, about: f64) -> f64 {
         let slot = sim.upload_sea_uniform(&gpu, t_s, true);
         gpu.queue.write_buffer(&sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&h0));
         let mut encoder = gpu.encoder("test");
-        sim.passes.transform.record_rows(&mut encoder, slot);
-        sim.passes.transform.record_columns(&mut encoder, &sim.resources, slot);
+        sim.passes.transform.record_rows(&mut encoder, &Timer::default(), slot);
+        sim.passes.transform.record_columns(&mut encoder, &Timer::default(), &sim.resources, slot);
         let staging = readback::stage_buffer(&gpu, &mut encoder, &sim.resources.row_transforms);
         gpu.submit(encoder);
         let bytes = pollster::block_on(readback::read(&gpu, staging)).expect("read-back");

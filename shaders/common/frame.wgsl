@@ -2,9 +2,9 @@
 
 const FRAME_EARTH_RADIUS_M = 6371000.0;
 
-// HDR colour, with 1 + 1e4 * nearness in alpha, from which the present pass finds edges. Nearness is 1 / distance, 1/m,
+// HDR colour, with 1 + 1e4 * nearness in alpha, from which the tone pass finds edges. Nearness is 1 / distance, 1/m,
 // which is linear along a plane, and 0 for the sky. A colour that is not finite gets alpha -6e4, so low that even the
-// mean of four samples tells the present pass to mark the pixel. Samples of a reference picture (footprint 0) keep
+// mean of four samples tells the tone pass to mark the pixel. Samples of a reference picture (footprint 0) keep
 // their colour.
 fn frame_hdr_output(c: vec3f, nearness: f32) -> vec4f {
   if frame.footprint_scale == 0.0 {

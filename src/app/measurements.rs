@@ -77,7 +77,7 @@ impl FrameMeasurements {
     /// Starts to time a frame on the GPU if it has a `tag`, and each of its passes if the panel shows their times.
     /// Requests copies of the wave maps anew that were lost because their frame was not submitted. Call this before the
     /// frame's commands are recorded. [`Self::take_gpu_time`] returns the tag with the frame's time.
-    pub fn begin_frame(&self, ocean: &Ocean, encoder: &mut wgpu::CommandEncoder, tag: Option<u32>) {
+    pub fn begin_frame(&self, ocean: &Ocean, tag: Option<u32>) {
         let mut inner = self.lock();
         let is_submitted = std::mem::take(&mut inner.is_painted);
         // Copies of a frame that was never submitted are empty, so they are requested again.
@@ -85,7 +85,7 @@ impl FrameMeasurements {
             inner.wants_map_copies = Some(sea);
         }
         if inner.wants_times || tag.is_some() {
-            ocean.timer().begin_frame(encoder, is_submitted, inner.wants_times, tag.unwrap_or_default());
+            ocean.timer().begin_frame(is_submitted, inner.wants_times, tag.unwrap_or_default());
         }
     }
 

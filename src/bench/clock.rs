@@ -34,13 +34,14 @@ impl Timing {
     }
 }
 
-/// Whether the device has timestamps that tell when commands execute. A software adapter writes them when it receives
-/// the commands, before it executes them.
+/// Whether the device can write timestamps between passes, which tell when commands execute. A software adapter writes
+/// them when it receives the commands, before it executes them.
 fn do_timestamps_measure_execution(gpu: &Gpu) -> bool {
-    !gpu.is_software() && gpu.device.features().contains(timer::TIMESTAMP_FEATURE)
+    !gpu.is_software() && gpu.device.features().contains(timer::TIMESTAMPS_BETWEEN_PASSES_FEATURE)
 }
 
-/// Measures how long GPU work takes on a device: by timestamps if it has them, by wall time, and by CPU time.
+/// Measures how long GPU work takes on a device: by timestamps around it if the device can write them between passes,
+/// by wall time, and by CPU time.
 pub struct Stopwatch<'a> {
     /// The device on which the work is timed.
     pub gpu: &'a Gpu,
@@ -55,7 +56,6 @@ struct TimestampQueries {
     set: wgpu::QuerySet,
     resolved: wgpu::Buffer,
     period_ns: f64,
-    between_passes: bool,
 }
 
 impl TimestampQueries {
@@ -64,35 +64,21 @@ impl TimestampQueries {
             set: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("bench"),
                 ty: wgpu::QueryType::Timestamp,
-                count: 4,
+                count: 2,
             }),
             resolved: gpu.buffer(
                 "bench",
-                4 * u64::from(wgpu::QUERY_SIZE),
+                2 * u64::from(wgpu::QUERY_SIZE),
                 wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
             ),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
-            between_passes: gpu.device.features().contains(timer::TIMESTAMPS_BETWEEN_PASSES_FEATURE),
         })
     }
 
-    /// Records two successive timestamps, before the work or, if `last`, after it: directly where the device can do
-    /// so between passes, else at the start and the end of an empty pass.
-    fn write_timestamps(&self, encoder: &mut wgpu::CommandEncoder, last: bool) {
-        let at = 2 * u32::from(last);
-        if self.between_passes {
-            encoder.write_timestamp(&self.set, at);
-            encoder.write_timestamp(&self.set, at + 1);
-        } else {
-            timer::record_timestamp_pass(encoder, &self.set, at);
-        }
-    }
-
-    /// Reads the four timestamps in `staged`, two before and two after the work. Returns the GPU time of the work, ms:
-    /// from the second to the third.
+    /// Reads the timestamps in `staged`, before and after the work. Returns the GPU time of the work, ms.
     async fn read(&self, gpu: &Gpu, staged: wgpu::Buffer) -> Result<f64, String> {
         let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staged).await?);
-        Ok(1e-6 * self.period_ns * stamps[2].saturating_sub(stamps[1]) as f64)
+        Ok(1e-6 * self.period_ns * stamps[1].saturating_sub(stamps[0]) as f64)
     }
 }
 
@@ -126,14 +112,14 @@ impl<'a> Stopwatch<'a> {
         let mut submit = async |times: u32| -> Result<(f64, Option<f64>, Option<f64>), String> {
             let (start, spent) = (Instant::now(), process_cpu_time_ms());
             let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            self.stamps.iter().for_each(|s| s.write_timestamps(&mut encoder, false));
+            self.stamps.iter().for_each(|s| encoder.write_timestamp(&s.set, 0));
             for _ in 0..times {
                 record(calls, &mut encoder);
                 calls += 1;
             }
             let staged = self.stamps.as_ref().map(|s| {
-                s.write_timestamps(&mut encoder, true);
-                encoder.resolve_query_set(&s.set, 0..4, &s.resolved, 0);
+                encoder.write_timestamp(&s.set, 1);
+                encoder.resolve_query_set(&s.set, 0..2, &s.resolved, 0);
                 readback::stage_buffer(self.gpu, &mut encoder, &s.resolved)
             });
             self.gpu.submit(encoder);

@@ -106,17 +106,21 @@ pub struct ShaderCost {
 }
 
 /// Cost per vertex of the compute pass that displaces the sea mesh.
-pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { ops: 1132.0, reads: 16.5, max_ops: 2061.0, max_reads: 45.0 };
+pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { ops: 1103.3, reads: 16.5, max_ops: 1951.0, max_reads: 45.0 };
 /// Cost per vertex of the vertex shader that draws the already displaced sea mesh.
-pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 32.0, reads: 0.0, max_ops: 32.0, max_reads: 0.0 };
+pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max_ops: 36.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
-pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max_ops: 36.0, max_reads: 0.0 };
+pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 21.0, reads: 0.0, max_ops: 21.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
-pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 5812.0, reads: 40.6, max_ops: 8351.0, max_reads: 86.0 };
+pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 4393.0, reads: 42.6, max_ops: 6699.0, max_reads: 82.0 };
 /// Cost per pixel of the fragment shader that draws the sky above the sea.
-pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 263.0, reads: 1.0, max_ops: 263.0, max_reads: 1.0 };
-/// Cost per pixel of the present pass, which turns the HDR picture into screen colours.
-pub const PRESENT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 549.0, reads: 5.1, max_ops: 754.0, max_reads: 9.0 };
+pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 222.8, reads: 1.0, max_ops: 223.0, max_reads: 1.0 };
+/// Cost per pixel of the tone pass, which turns the HDR picture into screen colours.
+pub const TONE_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 227.2, reads: 5.1, max_ops: 479.0, max_reads: 9.0 };
+/// Cost per pixel of the present pass if the picture has the size of the canvas, so that it is copied.
+pub const COPY_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 20.0, reads: 1.0, max_ops: 20.0, max_reads: 1.0 };
+/// Cost per pixel of the present pass if it enlarges the picture.
+pub const ENLARGE_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 276.0, reads: 5.0, max_ops: 276.0, max_reads: 5.0 };
 
 /// Numbers of pixels, vertices and bytes in one picture, from which the cost of drawing it follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,21 +136,21 @@ pub struct PictureContents {
 }
 
 impl PictureContents {
-    /// Minimum cost of drawing the sea mesh to the G-buffer. Bytes: 120 per vertex (written, read, and six indices of
-    /// triangle corners); displacement and gradient maps once; surface data (32) and depth (4) per sea pixel.
+    /// Minimum cost of drawing the sea mesh to the G-buffer. Bytes: 88 per vertex (written, read, and six indices of
+    /// triangle corners); displacement and gradient maps once; surface data (20) and depth (4) per sea pixel.
     pub fn mesh_cost(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
-        Cost::of_bytes(120.0 * self.vertices + 36.0 * seen + 2.0 * self.map_bytes)
+        Cost::of_bytes(88.0 * self.vertices + 24.0 * seen + 2.0 * self.map_bytes)
             + Cost::of_shader(&DISPLACE_VERTEX_COST, self.vertices)
             + Cost::of_shader(&MESH_VERTEX_COST, self.vertices)
             + Cost::of_shader(&MESH_FRAGMENT_COST, seen)
     }
 
-    /// Minimum cost of lighting the sea. A sea pixel reads its surface data (32 bytes) and depth (4), and writes its
+    /// Minimum cost of lighting the sea. A sea pixel reads its surface data (20 bytes) and depth (4), and writes its
     /// light (8). The maps (displacement, gradients, slope moments) are read once.
     pub fn light_cost(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
-        Cost::of_bytes(44.0 * seen + 3.0 * self.map_bytes) + Cost::of_shader(&LIGHT_FRAGMENT_COST, seen)
+        Cost::of_bytes(32.0 * seen + 3.0 * self.map_bytes) + Cost::of_shader(&LIGHT_FRAGMENT_COST, seen)
     }
 
     /// Minimum cost of drawing and lighting the sea mesh.
@@ -160,8 +164,14 @@ impl PictureContents {
         Cost::of_bytes(12.0 * seen) + Cost::of_shader(&BACKGROUND_FRAGMENT_COST, seen)
     }
 
-    /// Cost of the present pass (HDR picture to screen colours): a pixel reads light (8 bytes), writes colour (4).
+    /// Cost of the tone pass (HDR picture to screen colours): a pixel reads light (8 bytes), writes colour (4).
+    pub fn tone_cost(&self) -> Cost {
+        Cost::of_bytes(12.0 * self.pixels) + Cost::of_shader(&TONE_FRAGMENT_COST, self.pixels)
+    }
+
+    /// Cost of the present pass (finished picture to a canvas of the same size): a pixel reads and writes a colour (4
+    /// bytes each).
     pub fn present_cost(&self) -> Cost {
-        Cost::of_bytes(12.0 * self.pixels) + Cost::of_shader(&PRESENT_FRAGMENT_COST, self.pixels)
+        Cost::of_bytes(8.0 * self.pixels) + Cost::of_shader(&COPY_FRAGMENT_COST, self.pixels)
     }
 }

@@ -213,12 +213,14 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
         ("background", TimedPart::Background),
         ("mesh", TimedPart::Mesh),
         ("water", TimedPart::Water),
+        ("tone", TimedPart::Tone),
     ] {
         let cost = match part {
             TimedPart::SkyTables => None,
             TimedPart::Background => Some(counted.background_cost()),
             TimedPart::Mesh => Some(counted.mesh_cost()),
             TimedPart::Water => Some(counted.water_cost()),
+            TimedPart::Tone => Some(counted.tone_cost()),
         };
         out.push(PassTiming { cost, ..row(pass, clock.measure(|_, encoder| ocean.record_part(encoder, part)).await?) });
     }

@@ -53,7 +53,7 @@ impl PeakRates {
         let empty = gpu.compute_pipeline("empty", (&module, "main"), &[], &[]);
         let chain = stopwatch.measure(|_, encoder| {
             for _ in 0..EMPTY_DISPATCHES {
-                let mut pass = begin_compute(encoder, "empty");
+                let mut pass = begin_compute(encoder, "empty", None);
                 pass.set_pipeline(&empty);
                 pass.dispatch_workgroups(1, 1, 1);
             }

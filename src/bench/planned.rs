@@ -45,7 +45,7 @@ impl FrameWork {
     }
 
     /// Names and costs of the passes.
-    pub fn passes(&self) -> [(&'static str, Cost); 8] {
+    pub fn passes(&self) -> [(&'static str, Cost); 9] {
         let MapSizes { map_texels_per_side: n, cascades, foam_cells_per_side: foam_n, format } = self.maps;
         [
             ("rows", cost::row_pass_cost(n, cascades)),
@@ -55,6 +55,7 @@ impl FrameWork {
             ("mesh", self.picture.mesh_cost()),
             ("light", self.picture.light_cost()),
             ("background", self.picture.background_cost()),
+            ("tone", self.picture.tone_cost()),
             ("present", self.picture.present_cost()),
         ]
     }

@@ -98,7 +98,7 @@ impl StagewiseFft {
     /// Records all dispatches of the baseline, each in its own compute pass. They write `displacement` and `gradients`.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
         for dispatch in &self.dispatches {
-            let mut pass = begin_compute(encoder, "stage");
+            let mut pass = begin_compute(encoder, "stage", None);
             pass.set_pipeline(&dispatch.pipeline);
             pass.set_bind_group(0, &dispatch.group, &[]);
             pass.dispatch_workgroups(dispatch.workgroups, dispatch.workgroups, 1);

@@ -342,17 +342,29 @@ impl Kernel {
 
     /// Records a dispatch of `size` (x, y, z) workgroups in a compute pass of its own, with the bind group `group`.
     /// `offsets` are the dynamic offsets, bytes, of the group's dynamic uniform buffers, in the order of the bindings.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, group: &wgpu::BindGroup, offsets: &[u32], size: [u32; 3]) {
-        let mut pass = begin_compute(encoder, self.label);
+    /// The pass writes `timestamps`, if given.
+    pub fn run(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        timestamps: Option<wgpu::ComputePassTimestampWrites<'_>>,
+        group: &wgpu::BindGroup,
+        offsets: &[u32],
+        size: [u32; 3],
+    ) {
+        let mut pass = begin_compute(encoder, self.label, timestamps);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, group, offsets);
         pass.dispatch_workgroups(size[0], size[1], size[2]);
     }
 }
 
-/// Begins a compute pass that writes no timestamps. `label` is its name in debuggers.
-pub fn begin_compute<'a>(encoder: &'a mut wgpu::CommandEncoder, label: &str) -> wgpu::ComputePass<'a> {
-    encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: None })
+/// Begins a compute pass that writes `timestamps`, if given. `label` is its name in debuggers.
+pub fn begin_compute<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    label: &str,
+    timestamps: Option<wgpu::ComputePassTimestampWrites<'_>>,
+) -> wgpu::ComputePass<'a> {
+    encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: timestamps })
 }
 
 /// View of mip level `mip_level` of a 2d texture, which becomes level 0 of the view.

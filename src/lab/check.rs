@@ -2,8 +2,8 @@
 //! oracle). Each pass gets the oracle's result of the previous pass as input, so that an error belongs to one pass. The
 //! tests run the same comparison, also with deliberate faults.
 
-use crate::gpu::Gpu;
 use crate::gpu::readback::{self, StagedTexture};
+use crate::gpu::{Gpu, timer::Timer};
 use crate::oracle::{self, Complex, Texel, maps::CascadeMapPair};
 use crate::shaders::Shaders;
 use crate::sim::Simulation;
@@ -133,7 +133,7 @@ impl OracleCheck<'_> {
     async fn compare_spectrum(&mut self, h0: &[Vec<Complex>]) -> Result<(), String> {
         let r = &self.sim.resources;
         let mut encoder = self.gpu.encoder("check");
-        self.sim.passes.spectrum.run(&mut encoder, r, self.dispatch);
+        self.sim.passes.spectrum.run(&mut encoder, &Timer::default(), r, self.dispatch);
         let staging = readback::stage_buffer(self.gpu, &mut encoder, &r.current_waves().h0);
         self.gpu.submit(encoder);
         let got: Vec<[f32; 2]> = bytemuck::pod_collect_to_vec(&readback::read(self.gpu, staging).await?);
@@ -155,7 +155,7 @@ impl OracleCheck<'_> {
         let flat: Vec<[f32; 2]> = h0.iter().flatten().map(|h| h.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&self.sim.resources.current_waves().h0, 0, bytemuck::cast_slice(&flat));
         let mut encoder = self.gpu.encoder("check");
-        self.sim.passes.transform.record_rows(&mut encoder, self.dispatch);
+        self.sim.passes.transform.record_rows(&mut encoder, &Timer::default(), self.dispatch);
         self.compare_transform(encoder, rows, ["rows Dx Dz eta Dxz", "rows eta_x eta_z Dxx Dzz"]).await
     }
 
@@ -166,8 +166,8 @@ impl OracleCheck<'_> {
         let flat: Vec<[f32; 4]> = rows.iter().flatten().flatten().map(|t| t.map(|x| x as f32)).collect();
         self.gpu.queue.write_buffer(&r.row_transforms, 0, bytemuck::cast_slice(&flat));
         let mut encoder = self.gpu.encoder("check");
-        self.sim.passes.transform.record_columns(&mut encoder, r, self.dispatch);
-        self.sim.passes.mips.run(&mut encoder, r, self.dispatch);
+        self.sim.passes.transform.record_columns(&mut encoder, &Timer::default(), r, self.dispatch);
+        self.sim.passes.mips.run(&mut encoder, &Timer::default(), r, self.dispatch);
         self.compare_transform(encoder, maps, ["columns displacement", "columns gradients"]).await
     }
 

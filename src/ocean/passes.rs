@@ -2,6 +2,7 @@
 
 use super::{MIN_EYE_HEIGHT_M, Ocean, relative_to_still_water};
 use crate::gpu::map_format::MapFormat;
+use crate::gpu::timer::Timer;
 use crate::render::{SeaAppearance, planned_mesh_vertices};
 use crate::sim::Simulation;
 use crate::sim::planned_sea::SeaDispatch;
@@ -90,13 +91,13 @@ impl Ocean {
 impl WavePasses<'_> {
     /// Records the pass `pass` of the wave or foam simulation alone, so that its GPU time can be measured.
     pub fn record(&self, encoder: &mut wgpu::CommandEncoder, pass: WavePass) {
-        let (passes, r) = (&self.sim.passes, &self.sim.resources);
+        let (passes, r, timer) = (&self.sim.passes, &self.sim.resources, &Timer::default());
         match pass {
-            WavePass::Spectrum => passes.spectrum.run(encoder, r, self.dispatch),
-            WavePass::Rows => passes.transform.record_rows(encoder, self.dispatch),
-            WavePass::Columns => passes.transform.record_columns(encoder, r, self.dispatch),
-            WavePass::Mips => passes.mips.run(encoder, r, self.dispatch),
-            WavePass::Foam => passes.foam.run(encoder, r, self.dispatch, self.foam_uniform_offset),
+            WavePass::Spectrum => passes.spectrum.run(encoder, timer, r, self.dispatch),
+            WavePass::Rows => passes.transform.record_rows(encoder, timer, self.dispatch),
+            WavePass::Columns => passes.transform.record_columns(encoder, timer, r, self.dispatch),
+            WavePass::Mips => passes.mips.run(encoder, timer, r, self.dispatch),
+            WavePass::Foam => passes.foam.run(encoder, timer, r, self.dispatch, self.foam_uniform_offset),
         }
     }
 

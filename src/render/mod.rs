@@ -1,4 +1,4 @@
-//! The renderer: draws sky, sea and film from the maps of the simulation. Light is linear until the last shader.
+//! The renderer: draws sky, sea and film from the maps of the simulation. Light is linear up to the tone pass.
 //!
 //! A frame computes the sky's look-up tables (only if the light changed), draws sky and water into an HDR target, and
 //! applies the tone curve for the screen. Every pass depends only on [`Scene`] and [`Maps`].
@@ -30,7 +30,8 @@ use crate::sim::maps::TileLatticePosition;
 use crate::state::camera::View;
 use crate::state::look::Look;
 use crate::state::views::DisplayedView;
-use film::present::{PresentPass, PresentUniform};
+use film::present::PresentPass;
+use film::tone::{TonePass, ToneUniform};
 use frame::{FrameCascade, FrameFoamGrid};
 use scene_group::SceneGroup;
 use sky::background::BackgroundPass;
@@ -60,7 +61,7 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     FogUniform::DECLARATION,
     SkyUniform::DECLARATION,
     LightBuffer::DECLARATION,
-    PresentUniform::DECLARATION,
+    ToneUniform::DECLARATION,
     ViewTile::DECLARATION,
     ViewUniform::DECLARATION,
 ];
@@ -79,6 +80,8 @@ pub enum TimedPart {
     Mesh,
     /// All of [`Self::Mesh`], then the lighting of the water's pixels.
     Water,
+    /// Exposure and tone curve of the picture, with smoothed edges and dither.
+    Tone,
 }
 
 /// Draws the sea with sky, floating objects and film (exposure, tone curve), or a false-colour view in its place.
@@ -90,13 +93,11 @@ pub struct Renderer {
     water: WaterPass,
     background: BackgroundPass,
     hulls: HullPass,
+    tone: TonePass,
     present_pass: PresentPass,
     targets: Option<Targets>,
-    screen_format: wgpu::TextureFormat,
     /// Passes of the false-colour views; None until a view is first shown.
     view_pass: Option<FalseColourPass>,
-    /// Whether the last frame shows a false-colour view instead of the picture.
-    shows_view: bool,
     timer: Timer,
 }
 
@@ -114,8 +115,8 @@ impl Renderer {
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
         let hulls = HullPass::new(gpu, &shaders);
-        let present_pass =
-            PresentPass::new(gpu, &shaders, &sky.light_buffer, screen_format, output != OutputKind::Reference);
+        let tone = TonePass::new(gpu, &shaders, &sky.light_buffer, output != OutputKind::Reference);
+        let present_pass = PresentPass::new(gpu, &shaders, screen_format);
         // The empty submission makes a browser start compiling the pipelines while the CPU computes the noise.
         gpu.queue.submit([]);
         noise.fill(gpu);
@@ -127,11 +128,10 @@ impl Renderer {
             water,
             background,
             hulls,
+            tone,
             present_pass,
             targets: None,
-            screen_format,
             view_pass: None,
-            shows_view: false,
             timer: Timer::default(),
         }
     }
@@ -146,19 +146,25 @@ impl Renderer {
     pub fn draw(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene, size: [u32; 2]) {
         let size = size.map(|s| s.max(1));
         let hdr = self.ensure_targets(gpu, size).hdr.clone();
-        self.present_pass.set_picture(gpu, &hdr, &scene.look.film);
-        self.present_pass.write_uniform(gpu, scene, size);
+        let shows_view = scene.look.view.displayed != DisplayedView::Picture;
+        self.set_picture(gpu, scene, &hdr, shows_view);
         let mesh = mesh_for_picture(&scene.view, &scene.sea, &scene.look, size);
         self.prepare_frame(gpu, maps, scene, &mesh, &FrameUniform::new(scene, maps, &mesh, size));
-        self.shows_view = scene.look.view.displayed != DisplayedView::Picture;
-        if self.shows_view {
+        if shows_view {
             self.record_view(gpu, encoder, maps, scene);
-            self.timer.end_part(encoder, "view");
         } else {
             self.record_picture(gpu, encoder, scene);
-            self.present_pass.record_bloom(encoder);
-            self.timer.end_part(encoder, "bloom");
+            self.tone.record_bloom(encoder, &self.timer);
         }
+        self.tone.record(encoder, &self.timer);
+    }
+
+    /// Sets the picture `hdr` that the tone pass reads with the film of `scene`, and the finished picture that
+    /// [`Self::present`] shows. `hdr` is linear light or, if `is_encoded`, screen colours of a false-colour view.
+    fn set_picture(&mut self, gpu: &Gpu, scene: &Scene, hdr: &wgpu::TextureView, is_encoded: bool) {
+        let finished = self.tone.set_picture(gpu, hdr, &scene.look.film);
+        self.present_pass.set_picture(gpu, finished);
+        self.tone.write_uniform(gpu, scene, [hdr.texture().width(), hdr.texture().height()], is_encoded);
     }
 
     /// Render targets for a picture of `size` (width, height) pixels, created anew if the size has changed.
@@ -186,50 +192,46 @@ impl Renderer {
     /// Records the passes that draw the false-colour view selected in `scene.look`, in place of the picture.
     fn record_view(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, maps: &Maps, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
-        self.eye.run(encoder, scene, &self.water);
+        self.eye.run(encoder, &self.timer, scene, &self.water);
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
-            self.water.displace(encoder);
+            self.water.displace(encoder, &self.timer);
         }
-        let make = || {
-            FalseColourPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water, self.screen_format)
-        };
+        let make = || FalseColourPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water);
         let view = self.view_pass.get_or_insert_with(make);
-        view.draw(gpu, encoder, (maps, scene), &self.water, targets);
+        view.draw(gpu, (encoder, &self.timer), (maps, scene), &self.water, targets);
     }
 
     /// Records the passes that draw the picture's linear light into the render targets, before bloom and exposure: eye
     /// height, sky tables that are out of date, water, sky and floating objects.
     fn record_picture(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
         let Some(targets) = &self.targets else { return };
-        self.eye.run(encoder, scene, &self.water);
-        self.timer.end_part(encoder, "eye");
-        self.sky.record_outdated_tables(gpu, encoder, scene);
-        self.timer.end_part(encoder, "sky tables");
-        self.water.record_g_buffer(encoder, targets);
-        self.timer.end_part(encoder, "mesh");
-        let mut pass = targets.begin_light(encoder);
+        let timer = &self.timer;
+        self.eye.run(encoder, timer, scene, &self.water);
+        self.sky.record_outdated_tables(gpu, encoder, timer, scene);
+        self.water.record_g_buffer(encoder, timer, targets);
+        let mut pass = targets.begin_light(encoder, timer);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw_light(&mut pass);
         drop(pass);
         if self.hulls.is_needed() {
-            self.hulls.draw(&mut targets.begin_hulls(encoder), &self.water.scene);
+            self.hulls.draw(&mut targets.begin_hulls(encoder, timer), &self.water.scene);
         }
-        self.timer.end_part(encoder, "picture");
     }
 
     /// Records one part of the last picture again, alone, even if its results are up to date, to measure its GPU time.
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
-        let Some(targets) = &self.targets else { return };
+        let (Some(targets), timer) = (&self.targets, &Timer::default()) else { return };
         match part {
-            TimedPart::SkyTables => self.sky.record_all_tables(encoder),
+            TimedPart::SkyTables => self.sky.record_all_tables(encoder, timer),
             TimedPart::Background => {
-                self.background.draw(&mut targets.begin_alone(encoder), &self.water.scene, &self.sky);
+                self.background.draw(&mut targets.begin_alone(encoder, None), &self.water.scene, &self.sky);
             }
-            TimedPart::Mesh => self.water.record_g_buffer(encoder, targets),
+            TimedPart::Mesh => self.water.record_g_buffer(encoder, timer, targets),
             TimedPart::Water => {
-                self.water.record_g_buffer(encoder, targets);
-                self.water.draw_light(&mut targets.begin_light(encoder));
+                self.water.record_g_buffer(encoder, timer, targets);
+                self.water.draw_light(&mut targets.begin_light(encoder, timer));
             }
+            TimedPart::Tone => self.tone.record(encoder, timer),
         }
     }
 
@@ -251,12 +253,10 @@ impl Renderer {
         self.targets.as_ref().map(|t| t.depth.texture())
     }
 
-    /// Draws the last frame into the viewport of `pass`: the tone-mapped picture, or the view that replaces it.
+    /// Draws the last frame into the viewport of `pass`, scaled to its size: the finished picture, or the view that
+    /// replaces it.
     pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
-        match &self.view_pass {
-            Some(view) if self.shows_view => view.present(pass),
-            _ => self.present_pass.draw(pass),
-        }
+        self.present_pass.draw(pass);
     }
 }
 

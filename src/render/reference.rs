@@ -12,6 +12,7 @@ use super::targets::{HDR_FORMAT, OutputKind};
 use super::water::displace;
 use super::water::mesh::{self, Mesh};
 use crate::gpu::Gpu;
+use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use half::f16;
@@ -94,15 +95,20 @@ impl ReferenceRenderer {
     pub fn set_linear_light(&mut self, gpu: &Gpu, scene: &Scene, [width, height]: [u32; 2], light: &[[f32; 3]]) {
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let mean = gpu.texture("reference", [width, height, 1], 1, HDR_FORMAT, usage);
-        // Light has the same limit as in shaders/common/frame.wgsl. NaN is kept, and the film paints it magenta.
-        let texel = |l: &[f32; 3]| [l[0], l[1], l[2], 1.0].map(|x| f16::from_f32(if x > 6e4 { 6e4 } else { x }));
+        // As in shaders/common/frame.wgsl: light is limited, and light that is no number has a negative alpha, so that
+        // the tone pass paints it magenta.
+        let texel = |l: &[f32; 3]| {
+            let is_valid = l.iter().all(|x| *x > f32::NEG_INFINITY);
+            let [r, g, b] = if is_valid { l.map(|x| x.min(6e4)) } else { [0.0; 3] };
+            [r, g, b, if is_valid { 1.0 } else { -6e4 }].map(f16::from_f32)
+        };
         let texels: Vec<[f16; 4]> = light.iter().map(texel).collect();
         gpu.write_texture(&mean, 0, bytemuck::cast_slice(&texels));
-        let present = &mut self.renderer.present_pass;
-        present.set_picture(gpu, &mean.create_view(&wgpu::TextureViewDescriptor::default()), &scene.look.film);
-        present.write_uniform(gpu, scene, [width, height]);
+        let view = mean.create_view(&wgpu::TextureViewDescriptor::default());
+        self.renderer.set_picture(gpu, scene, &view, false);
         let mut encoder = gpu.encoder("reference");
-        present.record_bloom(&mut encoder);
+        self.renderer.tone.record_bloom(&mut encoder, &Timer::default());
+        self.renderer.tone.record(&mut encoder, &Timer::default());
         gpu.submit(encoder);
     }
 

@@ -2,6 +2,7 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, DepthState};
+use crate::gpu::timer::Timer;
 
 /// Format of textures that hold linear light (RGB in half floats), except for the samples of reference pictures.
 pub const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
@@ -84,7 +85,7 @@ impl Targets {
     }
 
     /// Begins the render pass that draws the water mesh into the G-buffer and the depth texture; clears both first.
-    pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+    pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, timer: &Timer) -> wgpu::RenderPass<'a> {
         let far = wgpu::Color { r: NO_WATER_M, g: NO_WATER_M, b: 0.0, a: 0.0 };
         let [undisplaced, slope_and_stretch, shear_and_side] = &self.g_buffer;
         let attachments = [
@@ -92,32 +93,36 @@ impl Targets {
             (slope_and_stretch, wgpu::Color::TRANSPARENT),
             (shear_and_side, wgpu::Color::TRANSPARENT),
         ]
-        .map(|(view, clear)| Some(colour_attachment(view, wgpu::LoadOp::Clear(clear))));
-        begin_pass(encoder, "mesh", &attachments, self.depth_attachment(wgpu::LoadOp::Clear(0.0), true))
+        .map(|(view, clear)| Some(cleared_attachment(view, clear)));
+        let depth = self.depth_attachment(wgpu::LoadOp::Clear(0.0), true);
+        begin_pass(encoder, ("mesh", timer.render_pass("mesh")), &attachments, depth)
     }
 
     /// Begins the render pass that draws sky and water into `hdr`, cleared to black, after [`Self::begin_mesh`]. It
     /// tests against the depth of the mesh but cannot write depth, so that its shaders can read the depth texture.
-    pub fn begin_light<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+    pub fn begin_light<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, timer: &Timer) -> wgpu::RenderPass<'a> {
         let depth = wgpu::RenderPassDepthStencilAttachment { view: &self.depth, depth_ops: None, stencil_ops: None };
-        begin_pass(encoder, "light", &[Some(self.cleared_light())], depth)
+        let light = cleared_attachment(&self.hdr, wgpu::Color::BLACK);
+        begin_pass(encoder, ("light", timer.render_pass("light")), &[Some(light)], depth)
     }
 
     /// Begins the render pass that draws floating objects over the light and depth of sky and water.
-    pub fn begin_hulls<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+    pub fn begin_hulls<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, timer: &Timer) -> wgpu::RenderPass<'a> {
         let light = colour_attachment(&self.hdr, wgpu::LoadOp::Load);
-        begin_pass(encoder, "hulls", &[Some(light)], self.depth_attachment(wgpu::LoadOp::Load, self.keeps_depth))
+        let depth = self.depth_attachment(wgpu::LoadOp::Load, self.keeps_depth);
+        begin_pass(encoder, ("hulls", timer.render_pass("hulls")), &[Some(light)], depth)
     }
 
     /// Begins a render pass that draws into `hdr` without a mesh drawn before; clears it to black, and the depth to
-    /// infinity.
-    pub fn begin_alone<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+    /// infinity. The pass writes `timestamps`, if given.
+    pub fn begin_alone<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) -> wgpu::RenderPass<'a> {
         let depth = self.depth_attachment(wgpu::LoadOp::Clear(0.0), self.keeps_depth);
-        begin_pass(encoder, "picture", &[Some(self.cleared_light())], depth)
-    }
-
-    fn cleared_light(&self) -> wgpu::RenderPassColorAttachment<'_> {
-        colour_attachment(&self.hdr, wgpu::LoadOp::Clear(wgpu::Color::BLACK))
+        let light = cleared_attachment(&self.hdr, wgpu::Color::BLACK);
+        begin_pass(encoder, ("picture", timestamps), &[Some(light)], depth)
     }
 
     fn depth_attachment(&self, load: wgpu::LoadOp<f32>, keep: bool) -> wgpu::RenderPassDepthStencilAttachment<'_> {
@@ -130,16 +135,21 @@ impl Targets {
     }
 }
 
+/// A colour attachment of `view` that is cleared to `clear` at the start of the pass and stored at its end.
+pub fn cleared_attachment(view: &wgpu::TextureView, clear: wgpu::Color) -> wgpu::RenderPassColorAttachment<'_> {
+    colour_attachment(view, wgpu::LoadOp::Clear(clear))
+}
+
 /// A colour attachment of `view` whose contents at the start of the pass are given by `load`, and stored at its end.
 fn colour_attachment(view: &wgpu::TextureView, load: wgpu::LoadOp<wgpu::Color>) -> wgpu::RenderPassColorAttachment<'_> {
     let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
     wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }
 }
 
-/// Begins a render pass with the given attachments. `label` is its name in debuggers.
+/// Begins a render pass with the given attachments. `label` is its name in debuggers; it writes `timestamps`, if given.
 fn begin_pass<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
-    label: &str,
+    (label, timestamps): (&str, Option<wgpu::RenderPassTimestampWrites<'_>>),
     colours: &[Option<wgpu::RenderPassColorAttachment<'_>>],
     depth: wgpu::RenderPassDepthStencilAttachment<'_>,
 ) -> wgpu::RenderPass<'a> {
@@ -147,6 +157,7 @@ fn begin_pass<'a>(
         label: Some(label),
         color_attachments: colours,
         depth_stencil_attachment: Some(depth),
+        timestamp_writes: timestamps,
         ..Default::default()
     })
 }

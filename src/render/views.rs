@@ -6,8 +6,9 @@ use super::targets::Targets;
 use super::targets::{DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, attachments};
 use super::water::light::WaterPass;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
+use crate::gpu::kit::{BindingType, RenderProgram};
 use crate::gpu::layout::gpu_struct;
+use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
 use crate::sim::Maps;
@@ -142,22 +143,18 @@ fn largest_squares(count: u32, [width, height]: [u32; 2]) -> (Vec<[u32; 2]>, u32
     ((0..count).map(corner).collect(), side)
 }
 
-/// Render passes that draw a false-colour view (maps, or the coloured water surface) and show it on the screen.
+/// Render passes that draw a false-colour view: maps, or the coloured water surface.
 pub struct FalseColourPass {
     uniform: Uniform<ViewUniform>,
     map_layout: wgpu::BindGroupLayout,
     map_pipeline: wgpu::RenderPipeline,
     surface_pipeline: wgpu::RenderPipeline,
     surface_group: wgpu::BindGroup,
-    show_layout: wgpu::BindGroupLayout,
-    present_pipeline: wgpu::RenderPipeline,
-    show_group: Option<wgpu::BindGroup>,
 }
 
 impl FalseColourPass {
-    /// Compiles the passes of false-colour views. Views of the water surface draw the mesh of `water`; `target` is the
-    /// format of the texture that [`Self::present`] draws into.
-    pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, target: wgpu::TextureFormat) -> Self {
+    /// Compiles the passes of false-colour views. Views of the water surface draw the mesh of `water`.
+    pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let uniform = Uniform::<ViewUniform>::new(gpu, "view");
         let slot = BindingType::Uniform(size_of::<ViewUniform>());
@@ -190,35 +187,21 @@ impl FalseColourPass {
             &layouts,
             &attachments(&output.format(), DEPTH_TEST_OPAQUE),
         );
-        let show_layout = gpu.bind_group_layout("view/show", fragment, &[BindingType::Texture]);
-        let module = shaders.module(gpu, "views/show");
-        let onto = AttachmentFormats { formats: &[target], depth: None };
-        let present_pipeline = gpu.render_pipeline("view/show", &RenderProgram::new(&module), &[&show_layout], &onto);
-        Self {
-            uniform,
-            map_layout,
-            map_pipeline,
-            surface_pipeline,
-            surface_group,
-            show_layout,
-            present_pipeline,
-            show_group: None,
-        }
+        Self { uniform, map_layout, map_pipeline, surface_pipeline, surface_group }
     }
 
     /// Records the pass that draws the false-colour view selected in the scene's look into the HDR target.
     pub fn draw(
-        &mut self,
+        &self,
         gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
+        (encoder, timer): (&mut wgpu::CommandEncoder, &Timer),
         (maps, scene): (&Maps, &Scene),
         water: &WaterPass,
         targets: &Targets,
     ) {
         use wgpu::BindingResource::TextureView;
         self.uniform.write(gpu, &ViewUniform::new(scene, maps, targets.size));
-        self.show_group = Some(gpu.bind_group("view/show", &self.show_layout, &[TextureView(&targets.hdr)]));
-        let mut pass = targets.begin_alone(encoder);
+        let mut pass = targets.begin_alone(encoder, timer.render_pass("view"));
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
             pass.set_pipeline(&self.surface_pipeline);
             pass.set_bind_group(3, &self.surface_group, &[]);
@@ -237,14 +220,6 @@ impl FalseColourPass {
             pass.set_bind_group(0, &gpu.bind_group("view/map", &self.map_layout, &resources), &[]);
             pass.draw(0..3, 0..1);
         }
-    }
-
-    /// Draws the false-colour view recorded last into the viewport of `pass`; nothing if there is none.
-    pub fn present(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let Some(group) = &self.show_group else { return };
-        pass.set_pipeline(&self.present_pipeline);
-        pass.set_bind_group(0, group, &[]);
-        pass.draw(0..3, 0..1);
     }
 }
 

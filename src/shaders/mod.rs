@@ -113,10 +113,10 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("water/light", &[WATER, part!("water/light.wgsl")]),
     ("water/hulls", &[PICTURE, part!("water/hulls.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
-    ("film/present", &[SKY_COMMON, SCREEN, part!("film/present.wgsl")]),
+    ("film/tone", &[SKY_COMMON, SCREEN, part!("film/tone.wgsl")]),
+    ("film/present", &[SCREEN, part!("film/present.wgsl")]),
     ("views/map", &[MATHS, SEA, SCREEN, VIEWS, part!("views/map.wgsl")]),
     ("views/surface", &[WATER, VIEWS, part!("views/surface.wgsl")]),
-    ("views/show", &[SCREEN, part!("views/show.wgsl")]),
 ];
 
 /// The WGSL sources of all shader modules of the program, with the struct declarations and the map format that complete

@@ -236,8 +236,7 @@ impl Simulation {
                 SeaUniformParameters { t_s, keeps_f32_maps: false, spectrum_blend: self.spectrum_blend },
                 false,
             );
-            self.passes.spectrum.run(encoder, &self.resources, dispatch);
-            self.timer.end_part(encoder, "spectrum");
+            self.passes.spectrum.run(encoder, &self.timer, &self.resources, dispatch);
             self.spectrum_blend = 0.0;
             self.spectrum_pass_count += 1;
         }
@@ -248,8 +247,7 @@ impl Simulation {
     fn encode_foam_step(&mut self, encoder: &mut wgpu::CommandEncoder, step: &FoamStep, centre: [f64; 2]) {
         let dispatch = self.encode_waves(encoder, step.t_s, false);
         let foam = self.uniforms.foam.add(&self.foam.uniform(step, centre, &self.maps));
-        self.passes.foam.run(encoder, &self.resources, dispatch, foam);
-        self.timer.end_part(encoder, "foam");
+        self.passes.foam.run(encoder, &self.timer, &self.resources, dispatch, foam);
         self.maps.foam_levels = self.foam.levels(centre);
     }
 
@@ -268,12 +266,9 @@ impl Simulation {
     }
 
     fn encode_wave_passes(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
-        self.passes.transform.record_rows(encoder, dispatch);
-        self.timer.end_part(encoder, "rows");
-        self.passes.transform.record_columns(encoder, &self.resources, dispatch);
-        self.timer.end_part(encoder, "columns");
-        self.passes.mips.run(encoder, &self.resources, dispatch);
-        self.timer.end_part(encoder, "mips");
+        self.passes.transform.record_rows(encoder, &self.timer, dispatch);
+        self.passes.transform.record_columns(encoder, &self.timer, &self.resources, dispatch);
+        self.passes.mips.run(encoder, &self.timer, &self.resources, dispatch);
     }
 
     /// Adds the uniform that describes one sea's waves at one time to the buffer `uniforms.sea`: those of the current

@@ -6,6 +6,7 @@ use super::transform::{FftImplementation, Transform};
 use super::uniforms::{SHARED_STRUCTS, SimulationUniforms};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
+use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 use crate::waves::foam::FOAM_LEVEL_COUNT;
 
@@ -79,9 +80,10 @@ impl SpectrumPass {
     }
 
     /// Records the computation of h0, the Fourier amplitudes at time 0 of the waves of all cascades of one sea.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, r: &Resources, dispatch: SeaDispatch) {
         self.kernel.run(
             encoder,
+            timer.compute_pass("spectrum"),
             &self.groups[dispatch.wave_buffers_index],
             &[dispatch.uniform_offset],
             [r.n / 64, r.n, dispatch.cascade_count],
@@ -170,10 +172,16 @@ impl MipsPass {
     }
 
     /// Records the computation of all mip levels above 0 of one sea's displacement, gradient and slope-moment maps.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, r: &Resources, dispatch: SeaDispatch) {
         for step in &self.steps {
             let groups = (r.n >> (step.source_level + 1)).div_ceil(8);
-            step.kernel.run(encoder, &step.group, &[dispatch.uniform_offset], [groups, groups, dispatch.cascade_count]);
+            step.kernel.run(
+                encoder,
+                timer.compute_pass("mips"),
+                &step.group,
+                &[dispatch.uniform_offset],
+                [groups, groups, dispatch.cascade_count],
+            );
         }
     }
 }
@@ -222,8 +230,15 @@ impl FoamPass {
 
     /// Records one time step of all foam levels, from the present wave maps. `dispatch` selects the uniform with the
     /// choppiness, common to both seas of a cross-fade; `foam` is the byte offset of the step's uniform in its buffer.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch, foam: u32) {
+    pub fn run(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &Timer,
+        r: &Resources,
+        dispatch: SeaDispatch,
+        foam: u32,
+    ) {
         let size = [r.foam_n / 8, r.foam_n / 8, FOAM_LEVEL_COUNT as u32];
-        self.kernel.run(encoder, &self.group, &[dispatch.uniform_offset, foam], size);
+        self.kernel.run(encoder, timer.compute_pass("foam"), &self.group, &[dispatch.uniform_offset, foam], size);
     }
 }

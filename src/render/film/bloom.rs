@@ -3,6 +3,7 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
+use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 
 /// Largest number of times that the picture is halved in width and height for bloom.
@@ -58,11 +59,12 @@ impl BloomPass {
     }
 
     /// Records the compute passes (downsampling, upsampling) that fill [`Self::texture_view`]; none while bloom is off.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder) {
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
         let Some(chain) = &self.chain else { return };
         for BloomStep { is_downsampling, group, size } in &chain.steps {
             let kernel = if *is_downsampling { &self.downsample } else { &self.upsample };
-            kernel.run(encoder, group, &[], [size[0].div_ceil(8), size[1].div_ceil(8), 1]);
+            let workgroups = [size[0].div_ceil(8), size[1].div_ceil(8), 1];
+            kernel.run(encoder, timer.compute_pass("bloom"), group, &[], workgroups);
         }
     }
 

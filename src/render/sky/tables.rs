@@ -6,6 +6,7 @@ use super::panorama::PanoramaTextures;
 use super::uniform::{LightBuffer, SkyUniform};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel, mip_view};
+use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::scene::Scene;
 use crate::render::water::noise::NoiseTexture;
@@ -68,8 +69,8 @@ impl TablePass {
         Self { kernel, group, workgroups }
     }
 
-    fn run(&self, encoder: &mut wgpu::CommandEncoder) {
-        self.kernel.run(encoder, &self.group, &[], self.workgroups);
+    fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
+        self.kernel.run(encoder, timer.compute_pass("sky tables"), &self.group, &[], self.workgroups);
     }
 }
 
@@ -253,12 +254,18 @@ impl SkyTables {
     }
 
     /// Records the passes that compute all tables of the sky, even those that are up to date.
-    pub fn record_all_tables(&self, encoder: &mut wgpu::CommandEncoder) {
-        self.sun_independent_passes.iter().chain(&self.sun_dependent_passes).for_each(|pass| pass.run(encoder));
+    pub fn record_all_tables(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
+        self.sun_independent_passes.iter().chain(&self.sun_dependent_passes).for_each(|pass| pass.run(encoder, timer));
     }
 
     /// Writes the sky's uniform buffer for a scene, and records the passes of the tables that do not match this scene.
-    pub fn record_outdated_tables(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, scene: &Scene) {
+    pub fn record_outdated_tables(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &Timer,
+        scene: &Scene,
+    ) {
         let wanted = SkyUniform::new(scene);
         let other_file = self.panorama.set_image(gpu, scene.look.sky.panorama());
         let before = self.computed_for.replace(wanted);
@@ -270,9 +277,9 @@ impl SkyTables {
             return;
         }
         if before.is_none_or(|made| !made.same_air_tables_as(&wanted)) {
-            self.sun_independent_passes.iter().for_each(|pass| pass.run(encoder));
+            self.sun_independent_passes.iter().for_each(|pass| pass.run(encoder, timer));
         }
-        self.sun_dependent_passes.iter().for_each(|pass| pass.run(encoder));
+        self.sun_dependent_passes.iter().for_each(|pass| pass.run(encoder, timer));
     }
 }
 
@@ -280,7 +287,7 @@ impl SkyTables {
 mod tests {
     use super::*;
     use crate::gpu::readback;
-    use crate::render::film::present::NOON_EXPOSURE;
+    use crate::render::film::tone::NOON_EXPOSURE;
     use crate::render::sky::uniform::night_gain;
     use crate::state::look::SkyLook;
 
@@ -294,7 +301,10 @@ mod tests {
         let light = |look: &SkyLook| {
             sky.uniform.write(&gpu, &SkyUniform::for_look(look, 8.0));
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
-            sky.sun_independent_passes.iter().chain(&sky.sun_dependent_passes).for_each(|pass| pass.run(&mut encoder));
+            sky.sun_independent_passes
+                .iter()
+                .chain(&sky.sun_dependent_passes)
+                .for_each(|pass| pass.run(&mut encoder, &Timer::default()));
             let copy = readback::stage_buffer(&gpu, &mut encoder, &sky.light_buffer);
             gpu.submit(encoder);
             let bytes = pollster::block_on(readback::read(&gpu, copy)).unwrap();

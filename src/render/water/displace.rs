@@ -5,6 +5,7 @@ use super::mesh::Mesh;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, begin_compute};
 use crate::gpu::layout::gpu_struct;
+use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::shaders::Shaders;
@@ -112,9 +113,9 @@ impl DisplacePass {
     }
 
     /// Records the compute pass that displaces the vertices for the current view by the waves in `maps`.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, maps: &wgpu::BindGroup) {
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, maps: &wgpu::BindGroup) {
         let Some(buffers) = &self.buffers else { return };
-        let mut pass = begin_compute(encoder, "mesh");
+        let mut pass = begin_compute(encoder, "mesh", timer.compute_pass("mesh"));
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &buffers.group, &[]);
         pass.set_bind_group(1, maps, &[]);

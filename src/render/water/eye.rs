@@ -3,6 +3,7 @@
 use super::light::WaterPass;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, begin_compute};
+use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
@@ -27,10 +28,10 @@ impl EyePass {
     }
 
     /// Records the pass for the frame of `scene`; nothing if the eye is at a fixed height that no wave reaches.
-    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, scene: &Scene, water: &WaterPass) {
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, scene: &Scene, water: &WaterPass) {
         let needs_waves = scene.height_from_waves || waves_may_reach_eye(scene);
         let Some(maps) = water.maps_group().filter(|_| needs_waves) else { return };
-        let mut pass = begin_compute(encoder, "eye");
+        let mut pass = begin_compute(encoder, "eye", timer.compute_pass("eye"));
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
         pass.set_bind_group(1, maps, &[]);

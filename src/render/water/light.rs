@@ -4,6 +4,7 @@ use super::displace::{self, DisplacePass};
 use super::material;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
+use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
@@ -180,16 +181,16 @@ impl WaterPass {
     }
 
     /// Records the compute pass that displaces the vertices of the water mesh by the maps; none if no maps are bound.
-    pub fn displace(&self, encoder: &mut wgpu::CommandEncoder) {
+    pub fn displace(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
         if let Some(maps) = self.maps_group() {
-            self.mesh.run(encoder, maps);
+            self.mesh.run(encoder, timer, maps);
         }
     }
 
     /// Records the displacement of the water mesh, then its drawing into the G-buffer and depth texture of `targets`.
-    pub fn record_g_buffer(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
-        self.displace(encoder);
-        let mut pass = targets.begin_mesh(encoder);
+    pub fn record_g_buffer(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, targets: &Targets) {
+        self.displace(encoder, timer);
+        let mut pass = targets.begin_mesh(encoder, timer);
         pass.set_pipeline(&self.g_buffer_pipeline);
         self.draw_mesh(&mut pass);
     }

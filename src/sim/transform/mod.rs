@@ -7,6 +7,7 @@ use super::planned_sea::SeaDispatch;
 use super::resources::Resources;
 use super::uniforms::SimulationUniforms;
 use crate::gpu::Gpu;
+use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 use unrolled::UnrolledTransform;
 use workgroup::WorkgroupTransform;
@@ -79,18 +80,24 @@ impl Transform {
 
     /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
     /// x.
-    pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
+    pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, dispatch: SeaDispatch) {
         match self {
-            Self::Workgroup(transform) => transform.record_rows(encoder, dispatch),
-            Self::Unrolled(transform) => transform.record_rows(encoder, dispatch),
+            Self::Workgroup(transform) => transform.record_rows(encoder, timer, dispatch),
+            Self::Unrolled(transform) => transform.record_rows(encoder, timer, dispatch),
         }
     }
 
     /// Records the column pass for one sea: inverse FFT along z, to mip level 0 of its displacement and gradient maps.
-    pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
+    pub fn record_columns(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &Timer,
+        r: &Resources,
+        dispatch: SeaDispatch,
+    ) {
         match self {
-            Self::Workgroup(transform) => transform.record_columns(encoder, dispatch),
-            Self::Unrolled(transform) => transform.record_columns(encoder, r, dispatch),
+            Self::Workgroup(transform) => transform.record_columns(encoder, timer, dispatch),
+            Self::Unrolled(transform) => transform.record_columns(encoder, timer, r, dispatch),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
+use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 use crate::shaders::fft::FftFactors;
 use crate::shaders::unrolled::UnrolledKernel;
@@ -102,27 +103,52 @@ impl UnrolledTransform {
 
     /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
     /// x.
-    pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
+    pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, dispatch: SeaDispatch) {
         let (n, FftFactors { first_round_points: first, second_round_points: second }) =
             (self.n, FftFactors::new(self.n));
         // One row of threads computes two rows of opposite wave vectors: n / 2 + 1 rows in workgroups of 8.
         let size = [second / 8, n / 16 + 1, dispatch.cascade_count];
         self.rows_first.run(
             encoder,
+            timer.compute_pass("rows"),
             &self.groups.rows_first[dispatch.wave_buffers_index],
             &[dispatch.uniform_offset],
             size,
         );
-        self.rows_second.run(encoder, &self.groups.rows_second, &[], [first / 8, n / 8, 2 * dispatch.cascade_count]);
+        self.rows_second.run(
+            encoder,
+            timer.compute_pass("rows"),
+            &self.groups.rows_second,
+            &[],
+            [first / 8, n / 8, 2 * dispatch.cascade_count],
+        );
     }
 
     /// Records the column pass for one sea: inverse FFT along z, and a copy of its results to mip level 0 of the maps.
-    pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, r: &Resources, dispatch: SeaDispatch) {
+    pub fn record_columns(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &Timer,
+        r: &Resources,
+        dispatch: SeaDispatch,
+    ) {
         let (n, FftFactors { first_round_points: first, second_round_points: second }) =
             (self.n, FftFactors::new(self.n));
-        self.columns_first.run(encoder, &self.groups.columns_first, &[], [n / 64, second, 2 * dispatch.cascade_count]);
+        self.columns_first.run(
+            encoder,
+            timer.compute_pass("columns"),
+            &self.groups.columns_first,
+            &[],
+            [n / 64, second, 2 * dispatch.cascade_count],
+        );
         let kernel = self.columns_second.kernel(dispatch.keeps_f32_maps);
-        kernel.run(encoder, &self.groups.columns_second, &[], [n / 64, first, 2 * dispatch.cascade_count]);
+        kernel.run(
+            encoder,
+            timer.compute_pass("columns"),
+            &self.groups.columns_second,
+            &[],
+            [n / 64, first, 2 * dispatch.cascade_count],
+        );
         for (kind, index) in [(MapKind::Displacement, 0), (MapKind::Gradients, 1)] {
             let offset = index * u64::from(r.format.bytes_per_texel() * n * n * dispatch.cascade_count);
             let first_layer = r.layers_of_kind(kind).start + dispatch.first_layer;

@@ -2,6 +2,7 @@
 
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
+use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 use crate::sim::planned_sea::SeaDispatch;
 use crate::sim::resources::{Resources, WaveBuffers, array_view};
@@ -84,15 +85,27 @@ impl WorkgroupTransform {
 
     /// Records the row pass for one sea: the Fourier amplitudes of its waves at one time, and their inverse FFT along
     /// x.
-    pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
+    pub fn record_rows(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, dispatch: SeaDispatch) {
         let size = [self.row_workgroups, 1, dispatch.cascade_count];
-        self.rows.run(encoder, &self.groups.rows[dispatch.wave_buffers_index], &[dispatch.uniform_offset], size);
+        self.rows.run(
+            encoder,
+            timer.compute_pass("rows"),
+            &self.groups.rows[dispatch.wave_buffers_index],
+            &[dispatch.uniform_offset],
+            size,
+        );
     }
 
     /// Records the column pass for one sea: inverse FFT along z, to mip level 0 of its displacement and gradient maps.
-    pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
+    pub fn record_columns(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, dispatch: SeaDispatch) {
         let size = [self.column_workgroups, 1, dispatch.cascade_count];
-        self.columns.run(encoder, &self.groups.columns, &[dispatch.uniform_offset], size);
+        self.columns.run(
+            encoder,
+            timer.compute_pass("columns"),
+            &self.groups.columns,
+            &[dispatch.uniform_offset],
+            size,
+        );
     }
 }
 

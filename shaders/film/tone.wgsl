@@ -1,0 +1,194 @@
+// Turns the linear light of a picture into the colours of the screen, at the picture's size: smoothed edges, bloom,
+// exposure, tone curve, encoding, dither.
+
+// Whether edges are smoothed. A reference picture averages samples instead.
+override TONE_SMOOTH: bool = true;
+
+@group(0) @binding(0) var<uniform> tone: Tone;
+@group(0) @binding(1) var<uniform> light: Light;
+@group(0) @binding(2) var hdr_map: texture_2d<f32>;
+@group(0) @binding(3) var hdr_sampler: sampler;
+@group(0) @binding(4) var bloom_map: texture_2d<f32>;
+
+// AgX tone curve by Troy Sobotka in the polynomial form of Benjamin Wrensch, with a look that keeps the sea's blues.
+fn tone_agx(linear: vec3f) -> vec3f {
+  const INTO = mat3x3f(
+    vec3f(0.842479062253094, 0.0423282422610123, 0.0423756549057051),
+    vec3f(0.0784335999999992, 0.878468636469772, 0.0784336),
+    vec3f(0.0792237451477643, 0.0791661274605434, 0.879142973793104));
+  const OUT = mat3x3f(
+    vec3f(1.19687900512017, -0.0528968517574562, -0.0529716355144438),
+    vec3f(-0.0980208811401368, 1.15190312990417, -0.0980434501171241),
+    vec3f(-0.0990297440797205, -0.0989611768448433, 1.15107367264116));
+  // Range of the curve in stops, and its ends as light: 2 to the power of LOW and of HIGH.
+  const LOW = -12.47393;
+  const HIGH = 4.026069;
+  const DARKEST = vec3f(1.7578e-4);
+  const BRIGHTEST = vec3f(16.2917);
+  const PER_STOP = 1.0 / (HIGH - LOW);
+  let x = log2(clamp(INTO * linear, DARKEST, BRIGHTEST)) * PER_STOP - LOW * PER_STOP;
+  // Wrensch's polynomial followed by the look's contrast, 1.09 c^1.25, as one polynomial within 0.0002 of both.
+  var c = -14.97623 * x + 73.74662;
+  c = c * x - 120.5589;
+  c = c * x + 77.13313;
+  c = c * x - 14.95861;
+  c = c * x + 0.434734;
+  c = c * x + 0.2552457;
+  c = c * x + 0.01241218;
+  c = max(c * x - 1.646112e-4, vec3f(0.0));
+  // The look's saturation, 1.18.
+  let grey = dot(c, 0.18 * vec3f(0.2126, 0.7152, 0.0722));
+  c = max(1.18 * c - grey, vec3f(0.0));
+  // The result is already encoded with a gamma of 2.2.
+  return clamp(OUT * c, vec3f(0.0), vec3f(1.0));
+}
+
+// ACES tone curve: reference rendering transform and output transform for sRGB, as fitted by Stephen Hill (2016).
+fn tone_aces(linear: vec3f) -> vec3f {
+  const INTO = mat3x3f(
+    vec3f(0.59719, 0.07600, 0.02840), vec3f(0.35458, 0.90834, 0.13383), vec3f(0.04823, 0.01566, 0.83777));
+  const OUT = mat3x3f(
+    vec3f(1.60475, -0.10208, -0.00327), vec3f(-0.53108, 1.10813, -0.07276), vec3f(-0.07367, -0.00605, 1.07602));
+  let v = INTO * linear;
+  let fitted = (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081);
+  return OUT * fitted;
+}
+
+// Tone curve of Reinhard et al. (2002), equation 3, applied to each channel.
+fn tone_reinhard(linear: vec3f) -> vec3f {
+  return linear / (1.0 + linear);
+}
+
+// Khronos PBR Neutral tone curve (2024): true colours below 0.8, compressed and desaturated highlights above.
+fn tone_neutral(linear: vec3f) -> vec3f {
+  const START = 0.8 - 0.04;
+  const DESATURATION = 0.15;
+  let low = min(linear.r, min(linear.g, linear.b));
+  let offset = select(0.04, low - 6.25 * low * low, low < 0.08);
+  let c = linear - offset;
+  let peak = max(c.r, max(c.g, c.b));
+  if peak < START {
+    return c;
+  }
+  let d = 1.0 - START;
+  let squeezed = 1.0 - d * d / (peak + d - START);
+  let g = 1.0 - 1.0 / (DESATURATION * (peak - squeezed) + 1.0);
+  return mix(c * (squeezed / peak), vec3f(squeezed), g);
+}
+
+// Linear light to sRGB code values, 0 to 1 (IEC 61966-2-1).
+fn tone_srgb(linear: vec3f) -> vec3f {
+  let c = clamp(linear, vec3f(0.0), vec3f(1.0));
+  return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3f(0.0031308));
+}
+
+// Light below a limit above which every curve is white, so that squares stay finite.
+fn tone_limited(exposed: vec3f) -> vec3f {
+  return clamp(exposed, vec3f(0.0), vec3f(1e6));
+}
+
+// Exposed light to code values of the screen, 0 to 1. `curve` is the discriminant of `ToneMapping` in
+// src/state/look/mod.rs.
+fn tone_encoded(curve: u32, exposed: vec3f) -> vec3f {
+  switch curve {
+    case 0u: { return tone_agx(exposed); }
+    case 1u: { return tone_srgb(tone_aces(tone_limited(exposed))); }
+    case 2u: { return tone_srgb(tone_reinhard(tone_limited(exposed))); }
+    case 3u: { return tone_srgb(tone_neutral(tone_limited(exposed))); }
+    default: { return tone_srgb(exposed); }
+  }
+}
+
+// Noise of a pixel for dithering, -0.5 to 0.5: Jimenez's interleaved gradient noise, which is even among neighbours.
+fn tone_noise(pixel: vec2f) -> f32 {
+  return fract(52.9829189 * fract(dot(pixel, vec2f(0.06711056, 0.00583715)))) - 0.5;
+}
+
+fn tone_exposure() -> f32 {
+  return tone.exposure_gain * select(light.exposure, tone.fixed_exposure, tone.fixed_exposure > 0.0);
+}
+
+// Exposed light, compressed below 1 so that a glint does not outshine an edge that it is averaged with.
+fn tone_compress(exposed: vec3f) -> vec3f {
+  return exposed / (1.0 + sky_luminance(exposed));
+}
+
+// Luminance of a pixel's compressed light.
+fn tone_compressed_luminance(hdr: vec4f, exposure: f32) -> f32 {
+  let luminance = exposure * sky_luminance(hdr.rgb);
+  return luminance / (1.0 + luminance);
+}
+
+fn tone_compressed_sample(uv: vec2f, exposure: f32) -> vec3f {
+  return tone_compress(exposure * textureSampleLevel(hdr_map, hdr_sampler, uv, 0.0).rgb);
+}
+
+// Smallest step in distance that counts as an edge, m; less is one surface, whatever its slope.
+const TONE_MIN_EDGE_M = 1.5;
+
+// Exposed light of the pixel around `uv`, with edges smoothed along their direction after FXAA by Timothy Lottes
+// (2009). Crests and the horizon need it, at one sample per pixel. Foam and glitter lie on one surface and are filtered
+// already: only where the distance has an edge is more than the distance of the diagonal neighbours looked at.
+fn tone_edges_smoothed(hdr: vec4f, at: vec2i, uv: vec2f, exposure: f32) -> vec3f {
+  let exposed = hdr.rgb * exposure;
+  let low_at = max(at - 1, vec2i(0));
+  let high_at = min(at + 1, vec2i(tone.size) - 1);
+  let nw = textureLoad(hdr_map, low_at, 0);
+  let ne = textureLoad(hdr_map, vec2i(high_at.x, low_at.y), 0);
+  let sw = textureLoad(hdr_map, vec2i(low_at.x, high_at.y), 0);
+  let se = textureLoad(hdr_map, high_at, 0);
+  // Alpha is 1 + 1e4 / distance (frame.wgsl). Its bend is compared with its change over a step of TONE_MIN_EDGE_M.
+  let bend = max(abs(nw.a + se.a - 2.0 * hdr.a), abs(ne.a + sw.a - 2.0 * hdr.a));
+  if bend < 1e-4 * TONE_MIN_EDGE_M * (hdr.a - 1.0) * (hdr.a - 1.0) {
+    return exposed;
+  }
+  let here = tone_compressed_luminance(hdr, exposure);
+  // Luminances of the diagonal neighbours: nw, ne, sw, se.
+  let l = vec4f(
+    tone_compressed_luminance(nw, exposure), tone_compressed_luminance(ne, exposure),
+    tone_compressed_luminance(sw, exposure), tone_compressed_luminance(se, exposure));
+  let low = min(here, min(min(l.x, l.y), min(l.z, l.w)));
+  let high = max(here, max(max(l.x, l.y), max(l.z, l.w)));
+  if high - low <= max(0.03, 0.16 * high) {
+    return exposed;
+  }
+  let across = vec2f(l.z + l.w - l.x - l.y, l.x + l.z - l.y - l.w);
+  let reduce = max((l.x + l.y + l.z + l.w) * 0.03, 0.008);
+  let pixels = clamp(across / (min(abs(across.x), abs(across.y)) + reduce), vec2f(-6.0), vec2f(6.0));
+  let along = pixels / tone.size;
+  let inner =
+    0.5 * (tone_compressed_sample(uv - along / 6.0, exposure) + tone_compressed_sample(uv + along / 6.0, exposure));
+  let ends = tone_compressed_sample(uv - 0.5 * along, exposure) + tone_compressed_sample(uv + 0.5 * along, exposure);
+  let outer = 0.5 * inner + 0.25 * ends;
+  let luminance = sky_luminance(outer);
+  let smoothed = select(outer, inner, luminance < low || luminance > high);
+  return smoothed / max(1.0 - sky_luminance(smoothed), 1e-5);
+}
+
+// The colour of a pixel with its luma in alpha, by which the present pass finds edges.
+fn tone_with_luma(colour: vec3f) -> vec4f {
+  return vec4f(colour, sky_luminance(colour));
+}
+
+@fragment
+fn fragment(in: ScreenVertex) -> @location(0) vec4f {
+  let at = vec2i(in.clip.xy);
+  let hdr = textureLoad(hdr_map, at, 0);
+  // Light or values of a view that are not finite; see frame_hdr_output.
+  if hdr.a < 0.99 {
+    return tone_with_luma(vec3f(1.0, 0.0, 1.0));
+  }
+  if tone.is_encoded != 0u {
+    return tone_with_luma(hdr.rgb);
+  }
+  let exposure = tone_exposure();
+  var exposed = hdr.rgb * exposure;
+  if TONE_SMOOTH {
+    exposed = tone_edges_smoothed(hdr, at, in.uv, exposure);
+  }
+  if tone.bloom_fraction > 0.0 {
+    let bloom = textureSampleLevel(bloom_map, hdr_sampler, in.uv, 0.0).rgb * exposure;
+    exposed = mix(exposed, bloom, tone.bloom_fraction);
+  }
+  return tone_with_luma(tone_encoded(tone.curve, exposed) + tone_noise(in.clip.xy) * tone.dither);
+}

@@ -1,0 +1,161 @@
+//! The pass that turns the linear light of a picture into screen colours (shaders/film/tone.wgsl): smoothed edges,
+//! bloom, exposure, tone curve, encoding, dither.
+
+use super::bloom::BloomPass;
+use crate::gpu::Gpu;
+use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
+use crate::gpu::layout::gpu_struct;
+use crate::gpu::timer::Timer;
+use crate::gpu::uniform::Uniform;
+use crate::render::scene::Scene;
+use crate::render::sky::uniform::{LightBuffer, night_gain};
+use crate::render::targets::cleared_attachment;
+use crate::shaders::Shaders;
+use crate::state::look::FilmLook;
+
+gpu_struct! {
+    /// WGSL `Tone`: uniform buffer of the pass that turns linear light into screen colours.
+    pub struct ToneUniform as "Tone" {
+        /// Width and height of the picture, pixels.
+        size: [f32; 2],
+        /// Factor on the automatic or fixed exposure: 2 to the power of the exposure setting, EV.
+        exposure_gain: f32,
+        /// Exposure (a factor on radiance, before `exposure_gain`) that replaces the automatic one; 0 if automatic.
+        fixed_exposure: f32,
+        /// Tone curve, as the discriminant of `ToneMapping`.
+        curve: u32,
+        /// Fraction of the picture's light that is spread around its source as bloom, 0 to 1.
+        bloom_fraction: f32,
+        /// Range of the noise that hides the steps of 8-bit colours, in code values from 0 to 1; 0 without dither.
+        dither: f32,
+        /// 1 if the picture already holds screen colours, as the false-colour views do; it is then copied. Else 0.
+        is_encoded: u32,
+    }
+}
+
+/// Automatic exposure (factor from radiance to the tone curve's input) of a clear noon with the sun 60 degrees high.
+/// Divided by `night_gain`, it is also the fixed exposure at 0 EV.
+pub const NOON_EXPOSURE: f32 = 0.444;
+/// Format of the finished picture. Eight bits are what screens and files take: the tone pass rounds and dithers, so
+/// that the present pass can copy, and a picture costs no more memory traffic than it must.
+pub const FINISHED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// The pass that turns the linear light of a picture into screen colours, at the picture's size: it smooths edges and
+/// applies bloom, exposure, tone curve and dither.
+pub struct TonePass {
+    uniform: Uniform<ToneUniform>,
+    light_buffer: wgpu::Buffer,
+    layout: wgpu::BindGroupLayout,
+    pipeline: wgpu::RenderPipeline,
+    sampler: wgpu::Sampler,
+    bloom: BloomPass,
+    picture: Option<TonedPicture>,
+}
+
+/// A picture in linear light that the tone pass reads, and its finished colours.
+struct TonedPicture {
+    /// The picture in linear light.
+    hdr: wgpu::TextureView,
+    has_bloom: bool,
+    group: wgpu::BindGroup,
+    /// The finished picture in screen colours, which the pass draws.
+    finished: wgpu::TextureView,
+}
+
+impl TonePass {
+    /// Compiles the pass. `light` is the GPU buffer with the automatic exposure; `smooth` turns on the smoothing of
+    /// jagged edges.
+    pub fn new(gpu: &Gpu, shaders: &Shaders, light: &wgpu::Buffer, smooth: bool) -> Self {
+        let bindings = [
+            BindingType::Uniform(size_of::<ToneUniform>()),
+            BindingType::Uniform(size_of::<LightBuffer>()),
+            BindingType::Texture,
+            BindingType::Sampler,
+            BindingType::Texture,
+        ];
+        let layout = gpu.bind_group_layout("tone", wgpu::ShaderStages::FRAGMENT, &bindings);
+        let constants = [("TONE_SMOOTH", f64::from(u8::from(smooth)))];
+        let module = shaders.module(gpu, "film/tone");
+        let program = RenderProgram { constants: &constants, ..RenderProgram::new(&module) };
+        let onto = AttachmentFormats { formats: &[FINISHED_FORMAT], depth: None };
+        let pipeline = gpu.render_pipeline("tone", &program, &[&layout], &onto);
+        let clamp = [wgpu::AddressMode::ClampToEdge; 2];
+        let sampler = gpu.sampler("hdr", clamp, wgpu::MipmapFilterMode::Nearest);
+        Self {
+            uniform: Uniform::new(gpu, "tone"),
+            light_buffer: light.clone(),
+            layout,
+            pipeline,
+            sampler,
+            bloom: BloomPass::new(gpu, shaders),
+            picture: None,
+        }
+    }
+
+    /// Sets the picture `hdr` (linear light) that the pass reads, and allocates its finished picture, and bloom
+    /// textures if `film` has bloom. No-op if unchanged. Returns the finished picture.
+    pub fn set_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) -> &wgpu::TextureView {
+        let has_bloom = film.bloom > 0.0;
+        let known = self.picture.take().filter(|p| p.hdr == *hdr && p.has_bloom == has_bloom);
+        let picture = known.unwrap_or_else(|| self.bind_picture(gpu, hdr, has_bloom));
+        &self.picture.insert(picture).finished
+    }
+
+    fn bind_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, has_bloom: bool) -> TonedPicture {
+        let size = [hdr.texture().width(), hdr.texture().height()];
+        self.bloom.set_picture(gpu, has_bloom.then_some((hdr, size)));
+        let resources = [
+            self.uniform.buffer.as_entire_binding(),
+            self.light_buffer.as_entire_binding(),
+            wgpu::BindingResource::TextureView(hdr),
+            wgpu::BindingResource::Sampler(&self.sampler),
+            wgpu::BindingResource::TextureView(self.bloom.texture_view().unwrap_or(hdr)),
+        ];
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
+        let finished = gpu.texture("finished picture", [size[0], size[1], 1], 1, FINISHED_FORMAT, usage);
+        TonedPicture {
+            hdr: hdr.clone(),
+            has_bloom,
+            group: gpu.bind_group("tone", &self.layout, &resources),
+            finished: finished.create_view(&wgpu::TextureViewDescriptor::default()),
+        }
+    }
+
+    /// Writes the film settings of a scene, for a picture of `size` (width, height) pixels, to the uniform buffer. If
+    /// `is_encoded`, the picture holds screen colours instead of light.
+    pub fn write_uniform(&self, gpu: &Gpu, scene: &Scene, size: [u32; 2], is_encoded: bool) {
+        let film = &scene.look.film;
+        let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
+        let uniform = ToneUniform {
+            size: size.map(|s| s as f32),
+            exposure_gain: (film.exposure_ev as f32).exp2(),
+            fixed_exposure: if film.auto_exposure { 0.0 } else { fixed },
+            curve: film.tone as u32,
+            bloom_fraction: film.bloom as f32,
+            dither: if film.dither { 1.0 / 255.0 } else { 0.0 },
+            is_encoded: u32::from(is_encoded),
+        };
+        self.uniform.write(gpu, &uniform);
+    }
+
+    /// Records the compute passes that make the bloom of the picture last passed to `set_picture`; none if bloom is
+    /// off.
+    pub fn record_bloom(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
+        self.bloom.run(encoder, timer);
+    }
+
+    /// Records the pass, the last one of a frame, which draws the finished picture of [`Self::set_picture`]; nothing
+    /// without a picture.
+    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
+        let Some(picture) = &self.picture else { return };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("tone"),
+            color_attachments: &[Some(cleared_attachment(&picture.finished, wgpu::Color::BLACK))],
+            timestamp_writes: timer.last_render_pass("tone"),
+            ..Default::default()
+        });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &picture.group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}
