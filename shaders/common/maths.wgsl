@@ -57,6 +57,12 @@ fn maths_atan2_upper(y: f32, x: f32) -> f32 {
   return select(angle, 3.14159265359 - angle, x < 0.0);
 }
 
+// 0 for x <= 0, 1 for x >= 1, with a smooth step between: smoothstep without its division.
+fn maths_smooth(x: f32) -> f32 {
+  let t = clamp(x, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
 fn maths_complex_mul(a: vec2f, b: vec2f) -> vec2f {
   return vec2f(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }

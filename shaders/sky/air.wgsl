@@ -16,11 +16,8 @@ const AIR_INVERSE_SUN = vec3f(1.0 / 19.4, 1.0 / 20.0, 1.0 / 20.8);
 // Clear air between the eye and a point of the sea: the radiance that it adds, and its transmittance.
 fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let km = 0.001 * distance_m;
-  let eye = 0.001 * frame.eye_height_m;
-  // Mean density along the straight path from the eye down to the sea, relative to the density at the sea.
-  let thin = vec2f(eye / ATM_RAYLEIGH_SCALE_HEIGHT_KM, eye / ATM_AEROSOL_SCALE_HEIGHT_KM) + 1e-4;
-  let mean = (1.0 - exp(-thin)) / thin;
-  let extinction = ATM_RAYLEIGH_SCATTERING * mean.x + ATM_AEROSOL_EXTINCTION * (sky.haze * mean.y);
+  let extinction =
+    ATM_RAYLEIGH_SCATTERING * frame.mean_air_density.x + ATM_AEROSOL_EXTINCTION * (sky.haze * frame.mean_air_density.y);
   let through = atm_linear_srgb(exp(-extinction * km)) * AIR_INVERSE_SUN;
   if SKY_IMAGE && sky.has_image > 0.0 {
     return array<vec3f, 2>(air_horizon_radiance(dir) * (1.0 - through), through);

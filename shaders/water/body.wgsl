@@ -63,7 +63,7 @@ fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
 fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
   let squeezed = clamp(1.6 - jacobian, 0.0, 1.0);
   let thin = smoothstep(-0.05, 0.55, rise) * squeezed;
-  if thin <= 0.0 || frame.sun_direction.y <= -0.02 {
+  if thin <= 0.01 || frame.sun_direction.y <= -0.02 {
     return vec3f(0.0);
   }
   // The far side of the crest slopes the opposite way.

@@ -103,9 +103,11 @@ fn water_tilt_projected_area(t: WaterTilt) -> vec2f {
   return vec2f(water_projected_area(t.height, t.across, t.mean, t.sigma), t.height + t.across * t.mean);
 }
 
-// Number of nodes of the quadrature over slopes: one for each step of the slope by WATER_NODE_STEP, within these limits.
-const WATER_NODES = vec2f(4.0, 8.0);
-const WATER_NODE_STEP = 0.06;
+// Number of nodes of the quadrature over slopes.
+const WATER_NODES = 6;
+// Width of the interval of the first nodes, relative to the mean width: nodes lie closer where facets are seen at grazing
+// angles, which reflect most.
+const WATER_FIRST_NODE_WIDTH = 0.7;
 
 // Quadrature over the slopes that are visible from a direction, weighted by projected area.
 struct WaterQuadrature {
@@ -116,9 +118,11 @@ struct WaterQuadrature {
   low: f32,
   from_t: f32,
   range: f32,
-  // Number of nodes, and the fraction of the range that each represents.
-  nodes: i32,
-  part: f32,
+  // `from_t` less and plus the tilt whose density is the unit of the weights, so that they do not underflow in the far
+  // tail. Differences come first, to keep their precision there.
+  past_scale: vec2f,
+  // `from_t` less `low`.
+  past_low: f32,
   // Slope at tilt 0, and its change with the tilt.
   slope: vec2f,
   slope_per_tilt: vec2f,
@@ -153,24 +157,21 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
     // Slopes that are turned away from the eye are invisible.
     q.low = -(f.tilt.height / f.tilt.across + f.tilt.mean) / f.tilt.sigma;
     q.from_t = max(q.low, -2.8);
-    // Nodes cover the density up to 3 deviations, or a length of about 8 / t in its far tail.
-    q.range = max(3.0 - q.from_t, 8.0 / max(q.from_t, 2.9));
+    // Nodes cover the density up to 2.6 deviations, or a length of about 6.5 / t in its far tail.
+    q.range = max(2.6 - q.from_t, 6.5 / max(q.from_t, 2.5));
+    q.past_scale = q.from_t + vec2f(-1.0, 1.0) * max(q.low, 0.0);
+    q.past_low = q.from_t - q.low;
   }
   q.slope = f.side * f.side_mean - f.tilt.toward * f.tilt.mean;
   q.slope_per_tilt = -(f.tilt.toward * f.tilt.sigma + f.side * f.tilt_side_shear);
-  let width = q.range * f.tilt.sigma;
-  let nodes = select(clamp(ceil(width * (1.0 / WATER_NODE_STEP)), WATER_NODES.x, WATER_NODES.y), WATER_NODES.y, WATER_GGX);
-  q.nodes = i32(nodes);
-  q.part = 1.0 / nodes;
-  q.sky_layer = water_sky_layer(width * q.part);
+  q.sky_layer = water_sky_layer(q.range * f.tilt.sigma * (1.0 / f32(WATER_NODES)));
   q.side_variance = max(f.side_sigma * f.side_sigma - f.tilt_side_shear * f.tilt_side_shear, 0.0);
   return q;
 }
 
-// Node i of a quadrature over slopes whose tilt has the deviation `sigma`. Small even steps resolve the edge of the sky
-// that the slopes reflect.
+// Node i of a quadrature over slopes whose tilt has the deviation `sigma`.
 fn water_quadrature_node(q: WaterQuadrature, sigma: f32, i: i32) -> WaterQuadratureNode {
-  let at = (f32(i) + 0.5) * q.part;
+  let at = (f32(i) + 0.5) * (1.0 / f32(WATER_NODES));
   var node: WaterQuadratureNode;
   if WATER_GGX {
     // The visible area beyond the slope alpha tan(a) is (r cos(a + phi) + c) / 2. Nodes are steps of this area, finer
@@ -179,17 +180,18 @@ fn water_quadrature_node(q: WaterQuadrature, sigma: f32, i: i32) -> WaterQuadrat
     let a = q.range - atm_asin((area * (q.from_t + q.low) - q.low) / q.from_t);
     let t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
     node.weight = 1.4 - 0.8 * at;
-    node.sky_layer = water_sky_layer(1.3 * node.weight * sigma * (1.0 + 0.5 * t * t) * q.part);
+    node.sky_layer = water_sky_layer(1.3 * node.weight * sigma * (1.0 + 0.5 * t * t) * (1.0 / f32(WATER_NODES)));
     // With GGX, a large slope along the direction makes a large slope across it more likely.
     node.side_variance = q.side_variance * 0.5 * (2.0 + t * t);
     node.slope = q.slope + t * q.slope_per_tilt;
     return node;
   }
-  let off = at * q.range;
-  // Scaled, so that not all weights underflow in the far tail. Differences come first, to keep their precision there.
-  let scale = max(q.low, 0.0);
-  node.weight = exp(-0.5 * (q.from_t - scale + off) * (q.from_t + scale + off)) * (q.from_t - q.low + off);
-  node.sky_layer = q.sky_layer;
+  let off = at * (WATER_FIRST_NODE_WIDTH + (1.0 - WATER_FIRST_NODE_WIDTH) * at) * q.range;
+  let width = WATER_FIRST_NODE_WIDTH + (2.0 - 2.0 * WATER_FIRST_NODE_WIDTH) * at;
+  let scaled = (q.past_scale.x + off) * (q.past_scale.y + off);
+  node.weight = width * exp(-0.5 * scaled) * (q.past_low + off);
+  // The binary logarithm of the width, which is close to 1.
+  node.sky_layer = q.sky_layer + (1.442695 / MIRRORED_LAYERS) * (width - 1.0);
   node.side_variance = q.side_variance;
   node.slope = q.slope + (q.from_t + off) * q.slope_per_tilt;
   return node;

@@ -17,8 +17,10 @@ const FOAM_ALBEDO = 0.72;
 const FOAM_AGED_ALBEDO_RATIO = 0.42;
 // Amount of foam, 0 to 1, below which none is drawn.
 const FOAM_MIN_AMOUNT = 0.002;
+// Sum of the resolved fractions of the variance of patches and strands, below which one sample of them is enough.
+const FOAM_MIN_RESOLVED = 0.05;
 // Largest number of samples of the foam maps along a pixel's footprint.
-const FOAM_MAX_MAP_TAPS = 3;
+const FOAM_MAX_MAP_TAPS = 2;
 // Largest number of samples of the foam noise along a pixel's footprint.
 const FOAM_MAX_NOISE_TAPS = 4;
 // Length over which the finest noise changes, m.
@@ -91,8 +93,8 @@ fn foam_normal_quantile(share: f32) -> f32 {
 // Appearance of foam in a pixel. `level` holds the amount of foam (x) and of its current source (y), 0 to 1.
 fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppearance {
   let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
-  let taps = clamp(i32(ceil(pixel.length_m / FOAM_FINEST_DETAIL_M)), 1, FOAM_MAX_NOISE_TAPS);
-  let share = 1.0 / f32(taps);
+  var taps = clamp(i32(ceil(pixel.length_m / FOAM_FINEST_DETAIL_M)), 1, FOAM_MAX_NOISE_TAPS);
+  var share = 1.0 / f32(taps);
   // Each sample covers its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one is enough.
   let size = WATER_TAP_TEXEL_RATIO * max(sqrt(pixel.width_m * pixel.length_m * share), pixel.length_m * share);
   let logs = log2(max(vec3f(WATER_TAP_TEXEL_RATIO * pixel.length_m, size, whole_m), vec3f(1e-6)));
@@ -102,6 +104,11 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
     material.noise_layers[FOAM_BUBBLE_LAYER].log_texels_per_m);
   let lods = logs.xyyz + densities;
   let kept = material_variance_left(lods);
+  // Where the pixel resolves neither patches nor strands, all samples are alike.
+  if kept.y + kept.z < FOAM_MIN_RESOLVED {
+    taps = 1;
+    share = 1.0;
+  }
   let windrows = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b;
   let bubbles = material_noise(FOAM_BUBBLE_LAYER, at, lods.w).g;
   // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.

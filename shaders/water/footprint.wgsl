@@ -19,7 +19,7 @@ struct WaterFootprint {
 }
 
 // Largest number of samples along a footprint.
-const WATER_MAX_TAPS = 3;
+const WATER_MAX_TAPS = 2;
 // Texel size at which a sample is read, relative to the length it covers: 1 / sqrt(3), because interpolation between
 // the texels of a mip level (a box and a tent) blurs as much as a box of sqrt(3) texels.
 const WATER_TAP_TEXEL_RATIO = 0.58;
@@ -59,6 +59,7 @@ fn water_round_footprint(texel_m: f32) -> WaterFootprint {
 const WATER_FADE_START = 0.08;
 // Relative footprint size at which no slopes are left: a mean over it would keep 2 % of those of the longest waves.
 const WATER_FADE_END = 0.16;
+const WATER_INVERSE_FADE = 1.0 / (WATER_FADE_END - WATER_FADE_START);
 // A mip level no finer than the coarsest of any map.
 const WATER_COARSEST_LOD = 16.0;
 
@@ -79,8 +80,6 @@ struct WaterSampling {
   slope_lod: f32,
   displacement_lod: f32,
   moment_lod: f32,
-  // Number of samples of the moments map along the footprint.
-  moment_taps: i32,
   // Fraction of the slope moments that counts as unresolved variance, 0 to 1.
   variance_weight: f32,
 }
@@ -88,10 +87,10 @@ struct WaterSampling {
 fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
   let long = foot.length_m * map.texels_per_m;
   var out: WaterSampling;
-  out.slope_weight = 1.0 - smoothstep(WATER_FADE_START, WATER_FADE_END, foot.mean_m * map.inverse_patch);
-  out.spline_smoothness = map.spline_smoothness * (1.0 - smoothstep(0.8, 1.25, long));
+  out.slope_weight = maths_smooth((WATER_FADE_END - foot.mean_m * map.inverse_patch) * WATER_INVERSE_FADE);
+  out.spline_smoothness = map.spline_smoothness * maths_smooth((1.25 - long) * (1.0 / 0.45));
   // No more samples than are useful: interpolation between texels blurs as much as a box of 1.4 texels. The smoother
-  // moments take half as many, and the displacement takes one, as its effect on the slope is of second order.
+  // moments take one, and so does the displacement, as its effect on the slope is of second order.
   out.taps = clamp(i32(ceil(long / 1.4 - 0.3)), 1, foot.taps);
   out.slope_lod = foot.log_texel_m + map.log_texels_per_m;
   out.displacement_lod = foot.log_whole_texel_m + map.log_texels_per_m;
@@ -99,8 +98,7 @@ fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
   // mip level from which they count is fitted to the sum of resolved and unresolved variance.
   let from_lod = clamp(out.slope_lod + 0.5, 0.0, 1.0);
   out.variance_weight = (1.0 - out.spline_smoothness * out.spline_smoothness) * from_lod;
-  out.moment_taps = (out.taps + 1) / 2;
-  let wider = select(0.0, select(0.5849625, 1.0, out.taps == 2), out.taps > 1);
+  let wider = f32(out.taps - 1);
   out.moment_lod = min(out.slope_lod + wider, out.displacement_lod) - 1.0;
   return out;
 }

@@ -7,7 +7,7 @@ override WATER_SCHLICK: bool = false;
 // refractive index of the second medium relative to the first. Total reflection returns 1.
 fn water_dielectric(cosine: f32, index: f32) -> f32 {
   let c = clamp(cosine, 0.0, 1.0);
-  let g2 = index * index - 1.0 + c * c;
+  let g2 = (index * index - 1.0) + c * c;
   if g2 <= 0.0 {
     return 1.0;
   }

@@ -33,7 +33,7 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   var sum = vec3f(0.0);
   var sum_f = 0.0;
   var weights = 0.0;
-  for (var i = 0; i < quadrature.nodes; i++) {
+  for (var i = 0; i < WATER_NODES; i++) {
     let node = water_quadrature_node(quadrature, eye.tilt.sigma, i);
     let along = dot(v.xz, node.slope);
     let square = dot(node.slope, node.slope);

@@ -62,22 +62,8 @@ fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, along: vec2f,
   return out;
 }
 
-// Second moments (xx, zz, xz) of a cascade's slopes at texture coordinates, averaged over the footprint, whose longer
-// side is `along` there.
-fn water_slope_moments(map: FrameCascade, sampling: WaterSampling, along: vec2f, uv: vec2f) -> vec3f {
-  if sampling.variance_weight <= 0.0 {
-    return vec3f(0.0);
-  }
-  let part = 1.0 / f32(sampling.moment_taps);
-  let step = part * along;
-  var at = uv + 0.5 * (step - along);
-  var sum = vec3f(0.0);
-  for (var k = 0; k < sampling.moment_taps; k++) {
-    sum += textureSampleLevel(moments_map, nearest_mip_sampler, at, map.layer, sampling.moment_lod).xyz;
-    at += step;
-  }
-  return (map.moment_unit * part) * sum;
-}
+// Mip level of the displacement map from which shears, and the change of weights between copies, are left out.
+const WATER_SHEAR_LOD = 1.0;
 
 // Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold.
 fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFootprint, cascade: u32, carried: f32) {
@@ -86,7 +72,11 @@ fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFoo
   let along = foot.axis * map.inverse_patch;
   let own = (1.0 - carried) * sampling.slope_weight;
   let slope_gain = own * map.slope_scale;
+  let stretch_gain = select(0.0, own, cascade < frame.cascade_count);
   let variance_gain = map.variance_factor * sampling.variance_weight;
+  // Ripples add slopes, but no displacement. Where maps are minified, products of shears have a mean near 0.
+  let has_shear = cascade < frame.cascade_count && sampling.displacement_lod < WATER_SHEAR_LOD;
+  let first_uv = map.uv_below_eye + at * map.inverse_patch;
   var next = tile_blend(map.tile_position, at);
   for (var i = 0u; i < TILE_COPIES; i++) {
     let blend = next;
@@ -95,21 +85,24 @@ fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFoo
     if weight <= 0.0 {
       continue;
     }
-    let uv = map.uv_below_eye + at * map.inverse_patch + tile_copy_shift(map.tile_position, blend);
+    let uv = first_uv + tile_copy_shift(map.tile_position, blend);
     let gradients = water_gradient_mean(map, sampling, along, uv);
-    // Ripples add slopes, but no displacement.
-    if cascade < frame.cascade_count {
+    if has_shear {
       let d = textureSampleLevel(displacement_map, nearest_mip_sampler, uv, map.layer, sampling.displacement_lod);
       let weights = own * vec3f(weight, tile_weight_gradient(map.tile_position, blend));
       (*out).sums = water_add_patch_copy((*out).sums, gradients.mean, d, weights);
     } else {
       (*out).sums.slope += (slope_gain * weight) * gradients.mean.xy;
+      (*out).sums.stretch += (stretch_gain * weight) * gradients.mean.zw;
     }
     (*out).half_slope_difference += (slope_gain * weight) * gradients.half_slope_difference;
-    // Copies of the patch are independent: their variances add with the squares of their weights.
-    let mean = sampling.slope_weight * gradients.mean.xy;
-    let beyond = water_slope_moments(map, sampling, along, uv) - vec3f(mean * mean, mean.x * mean.y);
-    (*out).variance += (variance_gain * weight * weight) * max(beyond, vec3f(0.0, 0.0, -1.0));
+    if sampling.variance_weight > 0.0 {
+      // Copies of the patch are independent: their variances add with the squares of their weights.
+      let mean = sampling.slope_weight * gradients.mean.xy;
+      let moments = textureSampleLevel(moments_map, nearest_mip_sampler, uv, map.layer, sampling.moment_lod).xyz;
+      let beyond = map.moment_unit * moments - vec3f(mean * mean, mean.x * mean.y);
+      (*out).variance += (variance_gain * weight * weight) * max(beyond, vec3f(0.0, 0.0, -1.0));
+    }
   }
 }
 

@@ -22,6 +22,7 @@ fn water_add_patch_copy(sums: WaterDerivatives, g: vec4f, d: vec4f, weight: vec3
 // which they carry none (y). Vertices read slopes only where maps are magnified (water_displacement): waves count as at
 // most WATER_CARRIED_SPACINGS.y texels long (`shortest_carried_wave_m` in src/render/frame.rs).
 const WATER_CARRIED_SPACINGS = vec2f(12.0, 7.0);
+const WATER_INVERSE_CARRIED_RANGE = 1.0 / (WATER_CARRIED_SPACINGS.x - WATER_CARRIED_SPACINGS.y);
 
 // Reciprocal of the length, 1/m, with which the waves must be compared at a position relative to the point below the
 // eye, m, to tell whether vertices carry their slopes: the mesh spacing, or two pixels if they are longer.
@@ -35,7 +36,8 @@ fn water_inverse_carrying_step(at: vec2f) -> f32 {
 // Fraction of a cascade's slopes that the vertices carry, 0 to 1. Vertices carry the slopes of a cascade whose shortest
 // waves are long compared with the mesh spacing and the pixel.
 fn water_carried_fraction(map: FrameCascade, inverse_step: f32) -> f32 {
-  return smoothstep(WATER_CARRIED_SPACINGS.y, WATER_CARRIED_SPACINGS.x, map.shortest_carried_wave_m * inverse_step);
+  let spacings = map.shortest_carried_wave_m * inverse_step;
+  return maths_smooth((spacings - WATER_CARRIED_SPACINGS.y) * WATER_INVERSE_CARRIED_RANGE);
 }
 
 struct WaterDisplacement {
@@ -75,7 +77,13 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
         let spline = water_spline_taps(uv, frame.n, smoothness);
         d = water_sample_spline(displacement_map, spline, map.layer);
         if carried > 0.0 {
-          let g = water_sample_spline(gradients_map, spline, map.layer);
+          // A map without short waves needs no spline for slopes.
+          var g: vec4f;
+          if map.spline_smoothness > 0.0 {
+            g = water_sample_spline(gradients_map, spline, map.layer);
+          } else {
+            g = textureSampleLevel(gradients_map, nearest_mip_sampler, uv, map.layer, 0.0);
+          }
           let weight = vec3f(blend.weight.x, tile_weight_gradient(map.tile_position, blend));
           out.carried = water_add_patch_copy(out.carried, g, d, carried * weight);
         }

@@ -43,9 +43,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
   var slope = seen;
   let distance_m = length(point.position);
   let dir = point.position / distance_m;
-  // Local vertical at the point, on the spherical Earth.
-  let up = normalize(vec3f(point.position.x / FRAME_EARTH_RADIUS_M, 1.0, point.position.z / FRAME_EARTH_RADIUS_M));
-  let v = normalize(vec3f(-dir.x, max(dot(-dir, up), 1e-4), -dir.z));
+  // Sine of the elevation of the eye as seen from the point, over the local horizon of the spherical Earth.
+  let eye_sine = -dir.y - (1.0 / FRAME_EARTH_RADIUS_M) * dot(point.position.xz, dir.xz);
+  let v = normalize(vec3f(-dir.x, max(eye_sine, 1e-4), -dir.z));
   let n = water_normal(slope.mean);
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
@@ -79,7 +79,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
   if WATER_FOAM && foam.x >= FOAM_MIN_AMOUNT {
     let look = foam_appearance(point.undisplaced, foot, foam);
-    surface = mix(surface, foam_radiance(v, slope, look), look.cover);
+    if look.cover > FOAM_MIN_AMOUNT {
+      surface = mix(surface, foam_radiance(v, slope, look), look.cover);
+    }
   }
 
   let air = air_to_point(dir, distance_m);

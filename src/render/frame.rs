@@ -21,6 +21,8 @@ const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
 const CARRIED_WAVE_TEXELS: f64 = 7.0;
 /// Maps whose shortest wave is longer than this number of texels are smooth enough without a spline.
 const SMOOTH_WAVE_TEXELS: f64 = 6.0;
+/// Scale heights of air molecules and of aerosol, m (WGSL `ATM_RAYLEIGH_SCALE_HEIGHT_KM`, `ATM_AEROSOL_SCALE_HEIGHT_KM`).
+const AIR_SCALE_HEIGHTS_M: [f64; 2] = [8400.0, 1200.0];
 /// Largest number of ripple layers, the shrunk copies of finest cascades: one for each of the two seas of a cross-fade.
 const MAX_RIPPLE_LAYERS: usize = 2;
 /// Length of `cascades` in the frame uniform: room for the cascades and ripple layers of both seas of a cross-fade.
@@ -133,6 +135,10 @@ gpu_struct! {
         /// for the point samples of a reference picture.
         pub footprint_scale: f32,
         unused: u32,
+        /// Mean densities of air molecules (x) and aerosol (y) on a straight path from the eye down to the sea, relative
+        /// to those at the sea.
+        pub mean_air_density: [f32; 2],
+        unused_2: [u32; 2],
         /// Polar lattice of the water mesh: positions of its vertices before displacement.
         pub mesh_lattice: MeshLattice,
         /// Cascades of all drawn seas, then their ripple layers (shrunk copies of cascades); the rest is unused.
@@ -238,6 +244,8 @@ impl FrameUniform {
             foam_amount: look.surface.foam.coverage_factor as f32,
             footprint_scale: 1.0,
             unused: 0,
+            mean_air_density: AIR_SCALE_HEIGHTS_M.map(|scale_m| mean_density_below(view.eye.y, scale_m) as f32),
+            unused_2: [0; 2],
             mesh_lattice: mesh.lattice,
             cascades: padded_array(cascades.chain(ripples)),
             foam_levels: padded_array(levels),
@@ -258,6 +266,13 @@ fn padded_array<T: Copy + Default, const N: usize>(values: impl Iterator<Item = 
     let mut out = [T::default(); N];
     out.iter_mut().zip(values).for_each(|(out, value)| *out = value);
     out
+}
+
+/// Mean over the altitudes from 0 to `eye_height_m`, m, of a density that falls to 1/e over `scale_m`, m, relative to the
+/// density at altitude 0.
+fn mean_density_below(eye_height_m: f64, scale_m: f64) -> f64 {
+    let thickness = eye_height_m.max(0.0) / scale_m + 1e-9;
+    -(-thickness).exp_m1() / thickness
 }
 
 /// Angle from the horizontal down to the horizon of the spherical Earth, rad, seen from the height `eye_height_m`.
