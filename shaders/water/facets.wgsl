@@ -103,9 +103,10 @@ fn water_tilt_projected_area(t: WaterTilt) -> vec2f {
   return vec2f(water_projected_area(t.height, t.across, t.mean, t.sigma), t.height + t.across * t.mean);
 }
 
-// Number of nodes of the quadrature over slopes.
-const WATER_NODES = 6;
-// Width of the interval of the first nodes, relative to the mean width: nodes lie closer where facets are seen at grazing
+// Numbers of nodes of the quadrature over slopes. GGX has more, because its tails are long.
+const WATER_GAUSSIAN_NODES = 6;
+const WATER_GGX_NODES = 8;
+// Width of the first node's interval, relative to the mean width: nodes lie closer where facets are seen at grazing
 // angles, which reflect most.
 const WATER_FIRST_NODE_WIDTH = 0.7;
 
@@ -123,6 +124,9 @@ struct WaterQuadrature {
   past_scale: vec2f,
   // `from_t` less `low`.
   past_low: f32,
+  // Number of nodes, and the fraction of the range that each represents on average.
+  nodes: i32,
+  part: f32,
   // Slope at tilt 0, and its change with the tilt.
   slope: vec2f,
   slope_per_tilt: vec2f,
@@ -164,14 +168,16 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
   }
   q.slope = f.side * f.side_mean - f.tilt.toward * f.tilt.mean;
   q.slope_per_tilt = -(f.tilt.toward * f.tilt.sigma + f.side * f.tilt_side_shear);
-  q.sky_layer = water_sky_layer(q.range * f.tilt.sigma * (1.0 / f32(WATER_NODES)));
+  q.nodes = select(WATER_GAUSSIAN_NODES, WATER_GGX_NODES, WATER_GGX);
+  q.part = 1.0 / f32(q.nodes);
+  q.sky_layer = water_sky_layer(q.range * f.tilt.sigma * q.part);
   q.side_variance = max(f.side_sigma * f.side_sigma - f.tilt_side_shear * f.tilt_side_shear, 0.0);
   return q;
 }
 
 // Node i of a quadrature over slopes whose tilt has the deviation `sigma`.
 fn water_quadrature_node(q: WaterQuadrature, sigma: f32, i: i32) -> WaterQuadratureNode {
-  let at = (f32(i) + 0.5) * (1.0 / f32(WATER_NODES));
+  let at = (f32(i) + 0.5) * q.part;
   var node: WaterQuadratureNode;
   if WATER_GGX {
     // The visible area beyond the slope alpha tan(a) is (r cos(a + phi) + c) / 2. Nodes are steps of this area, finer
@@ -180,7 +186,7 @@ fn water_quadrature_node(q: WaterQuadrature, sigma: f32, i: i32) -> WaterQuadrat
     let a = q.range - atm_asin((area * (q.from_t + q.low) - q.low) / q.from_t);
     let t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
     node.weight = 1.4 - 0.8 * at;
-    node.sky_layer = water_sky_layer(1.3 * node.weight * sigma * (1.0 + 0.5 * t * t) * (1.0 / f32(WATER_NODES)));
+    node.sky_layer = water_sky_layer(1.3 * node.weight * sigma * (1.0 + 0.5 * t * t) * q.part);
     // With GGX, a large slope along the direction makes a large slope across it more likely.
     node.side_variance = q.side_variance * 0.5 * (2.0 + t * t);
     node.slope = q.slope + t * q.slope_per_tilt;

@@ -38,8 +38,8 @@ struct FoamAppearance {
   rough: f32,
 }
 
-// Foam (x) and its current source (y) in a pixel, 0 to 1, from the finest levels that hold the pixel and are no finer than
-// it; beyond all levels, their means.
+// Foam (x) and its current source (y) in a pixel, 0 to 1, from the finest levels that hold the pixel and are no finer
+// than it; beyond all levels, their means.
 fn foam_level(at: vec2f, pixel: WaterFootprint) -> vec2f {
   let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
   // One sample per cell of the finest level along the pixel.
@@ -99,7 +99,8 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
   let size = WATER_TAP_TEXEL_RATIO * max(sqrt(pixel.width_m * pixel.length_m * share), pixel.length_m * share);
   let logs = log2(max(vec3f(WATER_TAP_TEXEL_RATIO * pixel.length_m, size, whole_m), vec3f(1e-6)));
   let densities = vec4f(
-    material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m, material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_STRAND_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_BUBBLE_LAYER].log_texels_per_m);
   let lods = logs.xyyz + densities;

@@ -1,7 +1,8 @@
 // Optical properties of water, foam and bed. The struct `Material` is declared in src/render/water/material.rs.
 
-// For the four noise layers of foam (channels cloud, net, net, bubbles): mip level at which half the variance is left, and
-// steepness of the decrease. Fitted to the mip levels of src/render/water/noise.rs as the sampler interpolates them.
+// For the four noise layers of foam (channels cloud, net, net, bubbles): mip level at which half the variance is left,
+// and steepness of the decrease. Fitted to the mip levels of src/render/water/noise.rs as the sampler interpolates
+// them.
 const MATERIAL_HALF_VARIANCE_LOD = vec4f(5.392, 3.446, 3.446, 1.433);
 const MATERIAL_VARIANCE_STEEPNESS = vec4f(1.8, 1.5, 1.5, 1.65);
 

@@ -33,7 +33,7 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   var sum = vec3f(0.0);
   var sum_f = 0.0;
   var weights = 0.0;
-  for (var i = 0; i < WATER_NODES; i++) {
+  for (var i = 0; i < quadrature.nodes; i++) {
     let node = water_quadrature_node(quadrature, eye.tilt.sigma, i);
     let along = dot(v.xz, node.slope);
     let square = dot(node.slope, node.slope);
@@ -144,7 +144,8 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
 }
 
 // Radiance of the reflected sun divided by its irradiance and by Fresnel's reflectance (x), and the projected area of
-// the surface around towards the eye (y). `facets` is the density of the slope that reflects the sun, `h` the half vector.
+// the surface around towards the eye (y). `facets` is the density of the slope that reflects the sun, `h` the half
+// vector.
 // `eye` and `sun` are the tilts of the surface around, whose facets hide `slope` from eye and sun; in a filtered
 // picture that surface is the pixel's own. `share`: its projected area, divided by that of `slope`.
 fn water_glitter_brightness(
