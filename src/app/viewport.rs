@@ -128,6 +128,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         let mut encoder = ocean.gpu().encoder("ocean");
         let begun = Instant::now();
         self.measurements.begin_frame(ocean, self.tag);
+        ocean.set_may_keep_pipelines(!self.params.clock.paused);
         ocean.transition_to(&self.params, self.dt_s);
         let most_steps = foam_steps_per_frame(ocean.gpu(), ocean.plan().n);
         let caught_up = ocean.record_frame(&mut encoder, self.size, most_steps);

@@ -56,6 +56,8 @@ const MIN_EYE_HEIGHT_M: f64 = 0.5;
 pub struct Ocean {
     gpu: Gpu,
     params: Params,
+    /// See [`Scene::may_keep_pipelines`].
+    may_keep_pipelines: bool,
     shaders: Shaders,
     sim: Simulation,
     /// Draws the frames. None in an ocean that [`Self::without_renderer`] made, until its first frame.
@@ -102,6 +104,7 @@ impl Ocean {
         Self {
             gpu: gpu.clone(),
             params: params.clone(),
+            may_keep_pipelines: false,
             shaders,
             sim,
             renderer: None,
@@ -185,6 +188,12 @@ impl Ocean {
             self.appearance.change_all(|sea| sea.caustic_filter_m = caustic_filter_m);
         }
         self.params = params.clone();
+    }
+
+    /// Whether frames from now on may be drawn with the pipelines of the frame before while others are being compiled,
+    /// as a running sea may (see [`Scene::may_keep_pipelines`]). A new ocean waits for its pipelines.
+    pub fn set_may_keep_pipelines(&mut self, may: bool) {
+        self.may_keep_pipelines = may;
     }
 
     /// The GPU device, with its queue, on which this ocean is simulated and drawn.
@@ -344,6 +353,7 @@ impl Ocean {
                 variance_fraction: 1.0 - share,
             }),
             mean_foam: self.sim.mean_foam(),
+            may_keep_pipelines: self.may_keep_pipelines,
             cloud_drift_m: sea.cloud_velocity_m_s.map(|v| v * self.params.clock.t_s),
             sea,
         }

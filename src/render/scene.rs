@@ -33,6 +33,9 @@ pub struct Scene {
     pub colour_scales: [ColourScale; MAX_CASCADES],
     /// Positions and orientations of the floating buoys and boats in world coordinates.
     pub hulls: Vec<HullPose>,
+    /// Whether the picture may be drawn with the pipelines of the picture before while others are being compiled. A
+    /// running sea may, so that new fog or clouds do not stop it; a still may not.
+    pub may_keep_pipelines: bool,
 }
 
 /// Properties of a sea that the renderer needs besides the maps, derived from its [`Plan`].

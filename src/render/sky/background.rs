@@ -43,16 +43,17 @@ impl BackgroundPass {
             stars: !file && look.sun_direction()[1] < STARS_MAX_SUN_SINE,
             fog: look.fog_extinction_per_km > 0.0,
         };
-        let layouts = [&group.layout, &sky.panorama.layout];
-        self.pipelines.select(parts, |parts| {
+        let (gpu, module, format) = (gpu.clone(), self.module.clone(), group.output.format());
+        let layouts = [group.layout.clone(), sky.panorama.layout.clone()];
+        self.pipelines.select(parts, scene.may_keep_pipelines, move || {
             let constants = [
                 switch_constant("SKY_IMAGE", parts.sky_image),
                 switch_constant("SKY_CLOUDS", parts.clouds),
                 switch_constant("SKY_STARS", parts.stars),
                 switch_constant("SKY_FOG", parts.fog),
             ];
-            let program = RenderProgram { constants: &constants, ..RenderProgram::new(&self.module) };
-            gpu.render_pipeline("sky", &program, &layouts, &attachments(&group.output.format(), DEPTH_TEST_BACKGROUND))
+            let program = RenderProgram { constants: &constants, ..RenderProgram::new(&module) };
+            gpu.render_pipeline("sky", &program, &layouts.each_ref(), &attachments(&format, DEPTH_TEST_BACKGROUND))
         });
     }
 

@@ -158,15 +158,17 @@ impl WaterPass {
 
     /// Selects the lighting pipeline's variant that `scene` needs, for [`Self::draw_light`]; compiles it at first use.
     pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
-        let (module, format) = (&self.module, self.scene.output.format());
-        let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout];
-        self.light_pipelines.select(WaterLightVariant::new(scene, self.scene.output), |parts| {
+        let (gpu, module, format) = (gpu.clone(), self.module.clone(), self.scene.output.format());
+        let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout].map(Clone::clone);
+        let parts = WaterLightVariant::new(scene, self.scene.output);
+        self.light_pipelines.select(parts, scene.may_keep_pipelines, move || {
             let program = RenderProgram {
-                module,
+                module: &module,
                 entry_points: ["light_vertex", "light_fragment"],
                 constants: &parts.constants(),
             };
-            gpu.render_pipeline("water/light", &program, &layouts, &attachments(&format, DEPTH_TEST_WATER_LIGHT))
+            let onto = attachments(&format, DEPTH_TEST_WATER_LIGHT);
+            gpu.render_pipeline("water/light", &program, &layouts.each_ref(), &onto)
         });
     }
 
