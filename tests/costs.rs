@@ -66,10 +66,11 @@ fn of_pixels(shader: &Instrumented, picture: &[[f16; 4]], tag: u8) -> Executed {
 }
 
 /// The default picture, drawn with some shaders replaced: the ocean, and the picture's linear light and final colours.
-fn picture(gpu: &Gpu, replaced: &[(&str, &Instrumented)]) -> (Ocean, [Vec<[f16; 4]>; 2]) {
+fn picture(gpu: &Gpu, replaced: &[(&str, &Instrumented)], is_lean: bool) -> (Ocean, [Vec<[f16; 4]>; 2]) {
     let shaders = replaced.iter().fold(Shaders::default(), |all, (module, new)| all.replaced(module, new.text.clone()));
     let format = TextureFormat::Rgba16Float;
     let mut ocean = Ocean::with_shaders(gpu, format, OutputKind::Screen, &Params::default(), shaders);
+    ocean.set_lean(is_lean);
     let mut encoder = gpu.encoder("counts");
     ocean.record_frame_with_complete_foam(&mut encoder, SIZE_PX);
     let light = readback::stage_texture(gpu, &mut encoder, ocean.lit_picture_texture().expect("a picture"), 0);
@@ -185,7 +186,7 @@ fn check(all: &[(&str, Executed, ShaderCost)]) {
 fn the_costs_of_light_and_sky_are_what_they_execute() {
     let light = instrument::fragment(&text("water/light"), "light_fragment", 100);
     let sky = instrument::fragment(&text("sky/background"), "fragment", 200);
-    let (_, [lit, _]) = picture(&common::gpu(), &[("water/light", &light), ("sky/background", &sky)]);
+    let (_, [lit, _]) = picture(&common::gpu(), &[("water/light", &light), ("sky/background", &sky)], false);
     check(&[
         ("LIGHT_FRAGMENT_COST", of_pixels(&light, &lit, 100), cost::LIGHT_FRAGMENT_COST),
         ("BACKGROUND_FRAGMENT_COST", of_pixels(&sky, &lit, 200), cost::BACKGROUND_FRAGMENT_COST),
@@ -193,10 +194,19 @@ fn the_costs_of_light_and_sky_are_what_they_execute() {
 }
 
 #[test]
+fn the_cost_of_the_lean_light_is_what_it_executes() {
+    let lean = instrument::fragment(&text("water/light"), "lean_fragment", 100);
+    let (_, [lit, _]) = picture(&common::gpu(), &[("water/light", &lean)], true);
+    check(&[("LEAN_LIGHT_FRAGMENT_COST", of_pixels(&lean, &lit, 100), cost::LEAN_LIGHT_FRAGMENT_COST)]);
+    let ShaderCost { ops, reads, .. } = cost::LEAN_LIGHT_FRAGMENT_COST;
+    assert!(ops <= 1500.0 && reads <= 20.0, "the budget of the lean tier");
+}
+
+#[test]
 fn the_costs_of_mesh_and_film_are_what_they_execute() {
     let gpu = common::gpu();
     let present = instrument::fragment(&text("film/present"), "fragment", 100);
-    let (ocean, [_, shown]) = picture(&gpu, &[("film/present", &present)]);
+    let (ocean, [_, shown]) = picture(&gpu, &[("film/present", &present)], false);
     let params = Params::default();
     let planned = planned_vertex_count(&params, &Plan::new(&params), SIZE_PX);
     assert_eq!(planned, ocean.vertex_count(), "budgets know the number of vertices without a GPU");

@@ -740,7 +740,11 @@ const FAULTS: &[Fault] = &[
         &[("let reach = depth_m *", "let reach = 0.1 * depth_m *")],
         "contrast of caustics under 0.05",
     ),
-    Fault("the light's way back mirrored", &[("let mirrored = (2.0 *", "let mirrored = (-2.0 *")], "mirrored direction"),
+    Fault(
+        "the light's way back mirrored",
+        &[("let mirrored = (2.0 *", "let mirrored = (-2.0 *")],
+        "mirrored direction",
+    ),
 ];
 
 #[test]

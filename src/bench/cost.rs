@@ -113,6 +113,9 @@ pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 32.0, reads: 0.0, max
 pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max_ops: 36.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
 pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 5812.0, reads: 40.6, max_ops: 8351.0, max_reads: 86.0 };
+/// Cost per pixel of the fragment shader that lights the sea in the lean tier.
+pub const LEAN_LIGHT_FRAGMENT_COST: ShaderCost =
+    ShaderCost { ops: 1455.0, reads: 13.2, max_ops: 2441.0, max_reads: 19.0 };
 /// Cost per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 263.0, reads: 1.0, max_ops: 263.0, max_reads: 1.0 };
 /// Cost per pixel of the present pass, which turns the HDR picture into screen colours.

@@ -56,6 +56,8 @@ const MIN_EYE_HEIGHT_M: f64 = 0.5;
 pub struct Ocean {
     gpu: Gpu,
     params: Params,
+    /// Whether frames have the light of the lean tier.
+    is_lean: bool,
     shaders: Shaders,
     sim: Simulation,
     /// Draws the frames. None in an ocean that [`Self::without_renderer`] made, until its first frame.
@@ -102,6 +104,7 @@ impl Ocean {
         Self {
             gpu: gpu.clone(),
             params: params.clone(),
+            is_lean: false,
             shaders,
             sim,
             renderer: None,
@@ -185,6 +188,12 @@ impl Ocean {
             self.appearance.change_all(|sea| sea.caustic_filter_m = caustic_filter_m);
         }
         self.params = params.clone();
+    }
+
+    /// Whether the frames from now on have the light of the lean tier, which a GPU draws in a third of the time. A new
+    /// ocean has full detail, and so has every reference.
+    pub fn set_lean(&mut self, is_lean: bool) {
+        self.is_lean = is_lean;
     }
 
     /// The GPU device, with its queue, on which this ocean is simulated and drawn.
@@ -344,6 +353,7 @@ impl Ocean {
                 variance_fraction: 1.0 - share,
             }),
             mean_foam: self.sim.mean_foam(),
+            is_lean: self.is_lean,
             cloud_drift_m: sea.cloud_velocity_m_s.map(|v| v * self.params.clock.t_s),
             sea,
         }

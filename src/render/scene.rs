@@ -33,6 +33,8 @@ pub struct Scene {
     pub colour_scales: [ColourScale; MAX_CASCADES],
     /// Positions and orientations of the floating buoys and boats in world coordinates.
     pub hulls: Vec<HullPose>,
+    /// Whether the water has the light of the lean tier, as a running sea on a slow GPU has (shaders/water/lean.wgsl).
+    pub is_lean: bool,
 }
 
 /// Properties of a sea that the renderer needs besides the maps, derived from its [`Plan`].

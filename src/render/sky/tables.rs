@@ -214,10 +214,7 @@ impl SkyTables {
             &[
                 (BindingType::Texture, TextureView(&self.environment)),
                 (BindingType::Sampler, Sampler(&self.sampler)),
-                (
-                    BindingType::StorageTexture3d(shaders.map_format(gpu).texture_format()),
-                    TextureView(&self.mirrored),
-                ),
+                (BindingType::StorageTexture3d(shaders.map_format(gpu).texture_format()), TextureView(&self.mirrored)),
             ],
             [width.div_ceil(8), height.div_ceil(8), layers],
         );

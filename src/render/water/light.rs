@@ -40,6 +40,8 @@ struct WaterLightVariant {
     fog: bool,
     /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
     point_samples: bool,
+    /// Whether the light is that of the lean tier (shaders/water/lean.wgsl); a reference never is.
+    is_lean: bool,
 }
 
 impl WaterLightVariant {
@@ -56,6 +58,7 @@ impl WaterLightVariant {
             sky_image: scene.look.sky.panorama().is_some(),
             fog: scene.look.sky.fog_extinction_per_km > 0.0,
             point_samples: output == OutputKind::Reference,
+            is_lean: scene.is_lean && output != OutputKind::Reference,
         }
     }
 
@@ -162,7 +165,7 @@ impl WaterPass {
         self.light_pipelines.select(WaterLightVariant::new(scene, self.scene.output), |parts| {
             let program = RenderProgram {
                 module,
-                entry_points: ["light_vertex", "light_fragment"],
+                entry_points: ["light_vertex", if parts.is_lean { "lean_fragment" } else { "light_fragment" }],
                 constants: &parts.constants(),
             };
             gpu.render_pipeline("water/light", &program, &layouts, &attachments(&format, DEPTH_TEST_WATER_LIGHT))

@@ -1,7 +1,7 @@
 //! Uniform buffer with the optical properties of water, foam and bed, from the look, the sea and the eye's position.
 
-use crate::gpu::layout::gpu_struct;
 use super::noise::NOISE_SIDE;
+use crate::gpu::layout::gpu_struct;
 use crate::optics::water::WaterOptics;
 use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
