@@ -200,6 +200,18 @@ fn the_costs_of_light_and_sky_are_what_they_execute() {
 }
 
 #[test]
+fn the_cost_of_the_lean_light_is_what_it_executes() {
+    let lean = instrument::fragment(&text("water/light"), "lean_fragment", 100);
+    let gpu = common::gpu();
+    let mut ocean = ocean(&gpu, &[("water/light", &lean)]);
+    ocean.set_lean(true);
+    let [lit, _] = picture(&gpu, &mut ocean, SIZE_PX);
+    check(&[("LEAN_LIGHT_FRAGMENT_COST", of_pixels(&lean, &lit, 100), cost::LEAN_LIGHT_FRAGMENT_COST)]);
+    let ShaderCost { ops, reads, .. } = cost::LEAN_LIGHT_FRAGMENT_COST;
+    assert!(ops <= 1500.0 && reads <= 20.0, "the budget of the lean tier");
+}
+
+#[test]
 fn the_costs_of_mesh_and_tone_are_what_they_execute() {
     let gpu = common::gpu();
     // The tone pass writes bytes that the present pass copies, so that the canvas shows its counts.

@@ -101,3 +101,15 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let height = place.y + frame.eye_height_m + dot(place.xz, place.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
   return water_radiance(WaterPoint(place, at, height), foot, bent);
 }
+
+@fragment
+fn lean_fragment(in: LightFragment) -> @location(0) vec4f {
+  let pixel = vec2i(in.clip.xy);
+  let place = in.ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
+  let at = textureLoad(undisplaced_map, pixel, 0).xy;
+  let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
+  let mesh = textureLoad(slope_and_stretch_map, pixel, 0);
+  let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
+  let height = place.y + frame.eye_height_m + dot(place.xz, place.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
+  return lean_radiance(WaterPoint(place, at, height), shear_and_side.y, carried);
+}

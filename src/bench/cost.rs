@@ -113,6 +113,9 @@ pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max
 pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 21.0, reads: 0.0, max_ops: 21.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
 pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 3798.0, reads: 36.1, max_ops: 5886.0, max_reads: 67.0 };
+/// Cost per pixel of the fragment shader that lights the sea in the lean tier.
+pub const LEAN_LIGHT_FRAGMENT_COST: ShaderCost =
+    ShaderCost { ops: 1455.0, reads: 13.2, max_ops: 2441.0, max_reads: 19.0 };
 /// Cost per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 223.0, reads: 1.0, max_ops: 223.0, max_reads: 1.0 };
 /// Cost per pixel of the tone pass, which turns the HDR picture into screen colours.

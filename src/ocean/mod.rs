@@ -56,8 +56,9 @@ const MIN_EYE_HEIGHT_M: f64 = 0.5;
 pub struct Ocean {
     gpu: Gpu,
     params: Params,
-    /// See [`Scene::may_keep_pipelines`].
+    /// This and the next as in [`Scene`].
     may_keep_pipelines: bool,
+    is_lean: bool,
     shaders: Shaders,
     sim: Simulation,
     /// Draws the frames. None in an ocean that [`Self::without_renderer`] made, until its first frame.
@@ -105,6 +106,7 @@ impl Ocean {
             gpu: gpu.clone(),
             params: params.clone(),
             may_keep_pipelines: false,
+            is_lean: false,
             shaders,
             sim,
             renderer: None,
@@ -190,10 +192,14 @@ impl Ocean {
         self.params = params.clone();
     }
 
-    /// Whether frames from now on may be drawn with the pipelines of the frame before while others are being compiled,
-    /// as a running sea may (see [`Scene::may_keep_pipelines`]). A new ocean waits for its pipelines.
+    /// Sets [`Scene::may_keep_pipelines`] of the frames from now on. A new ocean waits for its pipelines.
     pub fn set_may_keep_pipelines(&mut self, may: bool) {
         self.may_keep_pipelines = may;
+    }
+
+    /// Whether frames from now on have the light of the lean tier. A new ocean has full detail, so has every reference.
+    pub fn set_lean(&mut self, is_lean: bool) {
+        self.is_lean = is_lean;
     }
 
     /// The GPU device, with its queue, on which this ocean is simulated and drawn.
@@ -354,6 +360,7 @@ impl Ocean {
             }),
             mean_foam: self.sim.mean_foam(),
             may_keep_pipelines: self.may_keep_pipelines,
+            is_lean: self.is_lean,
             cloud_drift_m: sea.cloud_velocity_m_s.map(|v| v * self.params.clock.t_s),
             sea,
         }

@@ -36,6 +36,8 @@ pub struct Scene {
     /// Whether the picture may be drawn with the pipelines of the picture before while others are being compiled. A
     /// running sea may, so that new fog or clouds do not stop it; a still may not.
     pub may_keep_pipelines: bool,
+    /// Whether the water has the light of the lean tier, as a running sea on a slow GPU has (shaders/water/lean.wgsl).
+    pub is_lean: bool,
 }
 
 /// Properties of a sea that the renderer needs besides the maps, derived from its [`Plan`].

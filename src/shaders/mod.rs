@@ -83,6 +83,9 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/water.wgsl"),
 ]);
 
+/// WGSL functions for the water's light in the lean tier.
+const LEAN: SourcePart = SourcePart::Group(&[part!("water/lean_slope.wgsl"), part!("water/lean.wgsl")]);
+
 /// WGSL type of a map texel in a storage buffer, with half floats; `MAP_TEXEL_FLOAT` is the type with 32-bit floats.
 const MAP_TEXEL_HALF: &str = include_str!("../../shaders/waves/map_texel_half.wgsl");
 const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.wgsl");
@@ -110,7 +113,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("sky/background", &[PICTURE, part!("sky/background.wgsl")]),
     ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),
     ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
-    ("water/light", &[WATER, part!("water/light.wgsl")]),
+    ("water/light", &[WATER, LEAN, part!("water/light.wgsl")]),
     ("water/hulls", &[PICTURE, part!("water/hulls.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
     ("film/tone", &[SKY_COMMON, SCREEN, part!("film/tone.wgsl")]),

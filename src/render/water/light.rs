@@ -41,6 +41,8 @@ struct WaterLightVariant {
     fog: bool,
     /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
     point_samples: bool,
+    /// Whether the light is that of the lean tier (shaders/water/lean.wgsl); a reference never is.
+    is_lean: bool,
 }
 
 impl WaterLightVariant {
@@ -57,6 +59,7 @@ impl WaterLightVariant {
             sky_image: scene.look.sky.panorama().is_some(),
             fog: scene.look.sky.fog_extinction_per_km > 0.0,
             point_samples: output == OutputKind::Reference,
+            is_lean: scene.is_lean && output != OutputKind::Reference,
         }
     }
 
@@ -164,7 +167,7 @@ impl WaterPass {
         self.light_pipelines.select(parts, scene.may_keep_pipelines, move || {
             let program = RenderProgram {
                 module: &module,
-                entry_points: ["light_vertex", "light_fragment"],
+                entry_points: ["light_vertex", if parts.is_lean { "lean_fragment" } else { "light_fragment" }],
                 constants: &parts.constants(),
             };
             let onto = attachments(&format, DEPTH_TEST_WATER_LIGHT);

@@ -1,0 +1,212 @@
+// The light of the water in the lean tier, for GPUs that are too slow for the full one (water.wgsl): the same physics
+// with one sample of each map, one copy of each patch, and three nodes instead of a fine quadrature over the slopes.
+
+// Distance between two nodes, in deviations of the visible tilts. Three equal parts of a Gaussian are 1.09 apart.
+const LEAN_NODE_STEP = 1.04;
+// Deviation of the rays mirrored by a node's slopes, divided by the deviation of the visible tilts.
+const LEAN_NODE_SPREAD = 0.62;
+// Square of the distance from the mean slope, in standard deviations, beyond which the lean tier draws no glitter.
+const LEAN_NO_GLITTER_SQUARE = 25.0;
+// Optical depth of the air and fog before the water, from which they are drawn.
+const LEAN_LEAST_OPTICAL_DEPTH = 0.006;
+// Largest ratio of the facets in shadow to those that are lit.
+const LEAN_MOST_SHADOW = 5.0;
+// Amount of foam, 0 to 1, below which the lean tier draws none.
+const LEAN_MIN_FOAM = 0.02;
+
+// Tilts of the facets that the eye sees, in deviations of all tilts: mean (x) and deviation (y); and the projected area
+// of the visible facets, divided by that deviation and the horizontal part of the direction (z). `low` is the tilt,
+// counted from the mean, below which facets are turned away from the eye. Gaussian slopes, weighted by projected area.
+fn lean_visible_tilts(low: f32) -> vec3f {
+  // Farther in the tail, the moments would lose their precision.
+  let near = min(low, 3.0);
+  let a = -near;
+  let density = 0.39894228 * exp(-0.5 * min(a * a, 80.0));
+  // Upper tail of the normal distribution at |a|, divided by its density (Abramowitz and Stegun 26.2.17).
+  let t = 1.0 / (1.0 + 0.2316419 * abs(a));
+  let tail = t * (0.319381530 + t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
+  let share = select(density * tail, 1.0 - density * tail, a > 0.0);
+  let area = max(a * share + density, 1e-7);
+  let mean = share / area;
+  let square = 1.0 + density / area - mean * mean;
+  return vec3f(mean + (low - near), sqrt(max(square, 0.01)), area);
+}
+
+// Radiance of the sky in the direction to the eye, mirrored by a facet of the slope `slope`.
+fn lean_mirrored_sky(v: vec3f, slope: vec2f, layer: f32) -> vec3f {
+  let turn = 2.0 * (v.y - dot(v.xz, slope)) / (1.0 + dot(slope, slope));
+  return water_environment(turn * vec3f(-slope.x, 1.0, -slope.y) - v, layer);
+}
+
+// Fresnel reflectance of facets of the slope `slope`, which varies across the viewing direction.
+fn lean_reflectance(v: vec3f, slope: vec2f, side_variance: f32) -> f32 {
+  let factor = material.fresnel_slope_factor;
+  let steepness = factor * factor * (dot(slope, slope) + side_variance);
+  return water_fresnel((v.y - factor * dot(v.xz, slope)) * inverseSqrt(1.0 + steepness));
+}
+
+// Radiance of the reflected sun (as water_glitter). `seen` is the projected area of the visible facets.
+fn lean_glitter(v: vec3f, slope: WaterSlope, seen: vec2f) -> vec3f {
+  let l = frame.sun_direction;
+  let between = l + v;
+  let off = -between.xz / max(between.y, 0.01) - slope.mean;
+  // No slope is more likely than if its direction had the variance of both together.
+  let most = slope.variance.x + slope.variance.y + 2.0 * frame.sun_slope_variance;
+  if l.y <= -0.02 || dot(off, off) >= LEAN_NO_GLITTER_SQUARE * most {
+    return vec3f(0.0);
+  }
+  let density = water_slope_density(water_limit_covariance(slope.variance));
+  let square = water_slope_distance(density, off);
+  if square >= LEAN_NO_GLITTER_SQUARE {
+    return vec3f(0.0);
+  }
+  let h = normalize(between);
+  let lit = water_tilt_projected_area(water_tilt_towards(l, slope));
+  let h2 = h.y * h.y;
+  let f = material.glitter_strength * clamp(material.glitter_fresnel_scale * water_fresnel(dot(v, h)), 0.0, 1.0);
+  // As water_masking_shadowing, but limited: without the slopes of both halves of the pixel, a mean facet that is
+  // turned away from the sun does not tell that all are.
+  let shadow = clamp(lit.x / max(lit.y, 1e-6) - 1.0, 0.0, LEAN_MOST_SHADOW);
+  let area = max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow;
+  let facets = water_slope_density_at(density, square) / (4.0 * h2 * h2 * area);
+  return light.sun_irradiance * min(f * facets, frame.sun_radiance_per_irradiance);
+}
+
+// Reflected sky and sun. `v` points to the eye, in axes whose y is the local vertical.
+fn lean_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
+  // Unit vectors towards the eye and across; the statistics of the slopes along both, as in water_facets_towards.
+  let square = max(1.0 - v.y * v.y, 1e-8);
+  let over_across = inverseSqrt(square);
+  let across = square * over_across;
+  let toward = over_across * v.xz;
+  let side = vec2f(-toward.y, toward.x);
+  let mean = -dot(slope.mean, toward);
+  let variance = slope.variance;
+  let cov = vec2f(dot(variance.xz, toward), dot(variance.zy, toward));
+  let tilt_variance = max(dot(toward, cov), 1e-6);
+  let over_sigma = inverseSqrt(tilt_variance);
+  let sigma = tilt_variance * over_sigma;
+  let shear = dot(side, cov) * over_sigma;
+  let side_variance = max(variance.x + variance.y - tilt_variance - shear * shear, 0.0);
+  let tilts = lean_visible_tilts(-(v.y * over_across + mean) * over_sigma);
+  let per_tilt = -(sigma * toward + shear * side);
+  // Each node stands for a third of a Gaussian. A slope turns the mirrored ray by twice its angle.
+  let layer = mirrored_sky_layer(LEAN_NODE_SPREAD * tilts.y * sigma);
+  let step = (LEAN_NODE_STEP * tilts.y) * per_tilt;
+  let slope_at = slope.mean + tilts.x * per_tilt;
+  let steep = lean_reflectance(v, slope_at - step, side_variance);
+  let flat = lean_reflectance(v, slope_at + step, side_variance);
+  // The reflectance is nearly exponential between the two.
+  let middle_f = sqrt(steep * flat);
+  let sky_light = steep * lean_mirrored_sky(v, slope_at - step, layer)
+    + middle_f * lean_mirrored_sky(v, slope_at, layer) + flat * lean_mirrored_sky(v, slope_at + step, layer);
+  let seen = vec2f(tilts.z * across * sigma, v.y + across * mean);
+  let over = 1.0 / 3.0;
+  return WaterMirror(
+    (over * material.sky_reflection) * sky_light + lean_glitter(v, slope, seen), over * (steep + middle_f + flat));
+}
+
+// Foam (x) and its current source (y) in a pixel, 0 to 1, from the finest level that holds it and is no finer than it.
+fn lean_foam_level(at: vec2f, foot: LeanFootprint) -> vec2f {
+  let texel_m = WATER_TAP_TEXEL_RATIO * foot.side_m;
+  var foam = frame.mean_foam * vec2f(1.0, 0.1);
+  for (var level = 0u; level < frame.foam_level_count; level++) {
+    let map = frame.foam_levels[level];
+    let off = abs(at - map.centre);
+    if max(off.x, off.y) < map.half_side_m && texel_m * map.inverse_cell < 3.0 {
+      let uv = map.uv_below_eye + at * map.inverse_side;
+      foam = textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
+      break;
+    }
+  }
+  return min(foam * frame.foam_amount, vec2f(1.0));
+}
+
+// Appearance of foam in a pixel (as foam_appearance), without relief and bubbles.
+fn lean_foam(at: vec2f, foot: LeanFootprint, level: vec2f) -> FoamAppearance {
+  let lods = foot.log_texel_m + vec3f(
+    material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_STRAND_LAYER].log_texels_per_m);
+  let kept = 1.0 / (1.0 + exp2(MATERIAL_VARIANCE_STEEPNESS.xyz * (lods - MATERIAL_HALF_VARIANCE_LOD.xyz)));
+  let noise = vec3f(
+    material_noise(FOAM_WINDROW_LAYER, at, lods.x).b, material_noise(FOAM_PATCH_LAYER, at, lods.y).r,
+    material_noise(FOAM_STRAND_LAYER, at, lods.z).r);
+  let fresh = maths_smooth(2.2 * level.y);
+  let weight = mix(vec3f(0.7, 0.9, 1.1), vec3f(0.4, 0.9, 0.8), fresh);
+  let over = inverseSqrt(dot(weight, weight));
+  let resolved = dot(weight * weight, kept) * (over * over);
+  let soft = mix(0.2, 0.12, fresh);
+  let wanted = clamp(level.x, 1e-4, 1.0 - 1e-4);
+  let edge = (1.0 + 0.5 * soft * soft) * foam_normal_quantile(wanted);
+  let z = (3.4642 * over) * dot(noise - 0.5, weight);
+  let cut = foam_normal_cdf((z + edge) * inverseSqrt(soft * soft + 1.0 - resolved));
+  var out: FoamAppearance;
+  out.cover = cut * mix(FOAM_AGED_ALBEDO_RATIO, 1.0, fresh);
+  out.grain = 0.5;
+  return out;
+}
+
+// Light through the back of a crest (as water_crest_radiance). `rise` is the height above the mean level divided by the
+// significant wave height.
+fn lean_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
+  let thin = maths_smooth((rise + 0.05) * (1.0 / 0.6)) * clamp(1.6 - jacobian, 0.0, 1.0);
+  if thin <= 0.1 {
+    return vec3f(0.0);
+  }
+  let l = frame.sun_direction;
+  let entry = max(n.y * l.y - n.x * l.x - n.z * l.z, 0.0);
+  let phase = atm_henyey_greenstein(dot(l, ray), WATER_CREST_MEAN_COSINE);
+  let path_m = 0.8 + 1.2 * frame.hs_m * max(0.75 - rise, 0.0);
+  let air = clamp(0.9 - jacobian, 0.0, 0.7);
+  let bubbles = water_bubble_backscatter(plume) + WATER_PLUME_BACKSCATTER * material.bubble_density * air;
+  let forward = material.scattering + 12.0 * bubbles * material.bubble_colour;
+  let through = exp(-path_m * (material.absorption + material.backscatter + bubbles)) * (1.0 - exp(-forward * path_m));
+  let sun = light.sun_irradiance * (step(-0.02, l.y) * entry * phase);
+  let sky = light.sky_irradiance * (0.25 / ATM_PI * clamp(1.0 + ray.y, 0.0, 1.0));
+  return (sun + sky) * through * (material.crest_transmission * thin);
+}
+
+// Air and fog between the eye and a point of the sea: the radiance that they add, and their transmittance. Where they
+// take too little light to be seen, they are left out.
+fn lean_air(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
+  let extinction = 2e-5 + 5e-5 * sky.haze + sky.fog.extinction_per_m;
+  if extinction * distance_m < LEAN_LEAST_OPTICAL_DEPTH {
+    return array<vec3f, 2>(vec3f(0.0), vec3f(1.0));
+  }
+  return air_to_point(dir, distance_m);
+}
+
+// Radiance towards the eye of a point of the water; alpha as in frame_hdr_output. `long_m` is the longer side of the
+// pixel on the undisplaced sea.
+fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> vec4f {
+  let distance_m = length(point.position);
+  let dir = point.position / distance_m;
+  let foot = lean_footprint(long_m, frame.pixel_angle * distance_m);
+  var slope = lean_slope(point.undisplaced, foot, carried);
+  slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
+  // The vertical turns by so little over the Earth's curve that `v` stays a unit vector.
+  let rise = dir.y + dot(dir.xz, point.position.xz) / FRAME_EARTH_RADIUS_M;
+  let v = vec3f(-dir.x, max(-rise, 1e-4), -dir.z);
+  let n = water_normal(slope.mean);
+  var foam = vec2f(0.0);
+  if WATER_FOAM {
+    foam = lean_foam_level(point.undisplaced, foot);
+  }
+  let mirror = lean_mirror(v, slope);
+  let ray = water_refract(-v, n);
+  var below = water_deep_radiance(n, ray, foam.x);
+  if WATER_BED {
+    let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
+    below = water_bed_radiance(below, point.position.xz, point.height, ray, exp2(foot.log_texel_m), blur);
+  }
+  below += lean_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.x);
+  let spread = material.inverse_relative_index * material.inverse_relative_index;
+  var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
+  if WATER_FOAM && foam.x >= LEAN_MIN_FOAM {
+    let look = lean_foam(point.undisplaced, foot, foam);
+    surface = mix(surface, foam_radiance(v, slope, look), look.cover);
+  }
+  let air = lean_air(dir, distance_m);
+  return frame_hdr_output(surface * air[1] + air[0], 1.0 / distance_m);
+}

@@ -1,0 +1,88 @@
+// Slopes of the water in the lean tier (lean.wgsl): one sample of each map, and one copy of each patch.
+
+// Footprint sizes, relative to the patch of a cascade, at which its slopes begin to fade into variance, and at which
+// none are left. They are smaller than in the full tier, which leaves more pixels with fewer cascades.
+const LEAN_FADE_START = 0.05;
+const LEAN_FADE_END = 0.1;
+// Binary logarithm of WATER_TAP_TEXEL_RATIO.
+const LEAN_LOG_TEXEL_RATIO = -0.786;
+
+// Square piece of the undisplaced sea that one sample of each map covers. It has the pixel's area: one sample is either
+// sharp along the pixel, and aliases, or blurred across it.
+struct LeanFootprint {
+  side_m: f32,
+  // Binary logarithm of the size of the texels that are read, m.
+  log_texel_m: f32,
+}
+
+// Footprint of a pixel whose longer side is `long_m`, at a distance at which a pixel is `wide_m` wide.
+fn lean_footprint(long_m: f32, wide_m: f32) -> LeanFootprint {
+  let side_m = sqrt(long_m * min(long_m, wide_m)) + 1e-6;
+  return LeanFootprint(side_m, log2(side_m) + LEAN_LOG_TEXEL_RATIO);
+}
+
+// Shift, in texture coordinates, of the copy of a patch that weighs most at a point (tile_blend in tiles.wgsl).
+fn lean_copy_shift(position: TileLatticePosition, at: vec2f) -> vec2f {
+  if position.blends_copies == 0u {
+    return vec2f(0.0);
+  }
+  let q = position.fraction + vec2f(dot(position.gradient_u, at), dot(position.gradient_v, at));
+  let whole = floor(q);
+  let rest = q - whole;
+  // The corner of the triangle with the largest barycentric coordinate: beside the diagonal of the cell, or on it.
+  let sum = rest.x + rest.y;
+  var corner = select(vec2i(0, 1), vec2i(1, 0), rest.x > rest.y);
+  corner = select(corner, vec2i(0), max(rest.x, rest.y) + sum < 1.0);
+  corner = select(corner, vec2i(1), min(rest.x, rest.y) + sum > 2.0);
+  let cell = bitcast<vec2u>(position.cell + vec2i(whole) + corner);
+  return vec2f(noise_pcg4d(vec4u(cell, position.shift_key, 0u)).xy >> vec2u(26u)) * 0.015625;
+}
+
+// Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold.
+fn lean_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: LeanFootprint, map: FrameCascade, carried: f32) {
+  let uv = map.uv_below_eye + at * map.inverse_patch + lean_copy_shift(map.tile_position, at);
+  let lod = foot.log_texel_m + map.log_texels_per_m;
+  let fading = (foot.side_m * map.inverse_patch - LEAN_FADE_START) * (1.0 / (LEAN_FADE_END - LEAN_FADE_START));
+  let weight = 1.0 - maths_smooth(fading);
+  let gradients = weight * textureSampleLevel(gradients_map, trilinear_sampler, uv, map.layer, lod);
+  let own = (1.0 - carried) * map.slope_scale;
+  (*out).sums.slope += own * gradients.xy;
+  (*out).sums.stretch += own * gradients.zw;
+  // As in water_sampling: the moments hold nothing finer than two texels.
+  let counted = clamp(lod + 0.5, 0.0, 1.0) * map.variance_factor;
+  if counted > 0.0 {
+    let moments = textureSampleLevel(moments_map, nearest_mip_sampler, uv, map.layer, lod - 1.0).xyz;
+    let mean = gradients.xy;
+    let beyond = map.moment_unit * moments - vec3f(mean * mean, mean.x * mean.y);
+    (*out).variance += counted * max(beyond, vec3f(0.0, 0.0, -1.0));
+  }
+}
+
+// Slope statistics within a footprint at an undisplaced position, with the slopes `carried` that the mesh holds there.
+fn lean_slope(at: vec2f, foot: LeanFootprint, carried: WaterDerivatives) -> WaterSlope {
+  var waves: WaterSlopeSums;
+  waves.sums = carried;
+  waves.variance = frame.residual_slope_covariance;
+  let inverse_step = water_inverse_carrying_step(at);
+  for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
+    let map = frame.cascades[c];
+    if foot.side_m * map.inverse_patch >= LEAN_FADE_END {
+      waves.variance += water_whole_covariance(map, at);
+      continue;
+    }
+    let share = select(0.0, water_carried_fraction(map, inverse_step), c < frame.cascade_count);
+    if share < 1.0 {
+      lean_add_waves(&waves, at, foot, map, share);
+    }
+  }
+  // As water_displaced_slope.
+  let sums = waves.sums;
+  let sides = 1.0 + frame.choppiness * sums.stretch;
+  let jacobian = sides.x * sides.y - frame.choppiness.x * frame.choppiness.y * sums.shear.x * sums.shear.y;
+  var out: WaterSlope;
+  out.mean = water_slope_displaced(sums.slope, sums, sides) * (1.0 / max(jacobian, 0.25));
+  out.mean = clamp(out.mean, vec2f(-1.2), vec2f(1.2));
+  out.variance = waves.variance;
+  out.jacobian = jacobian;
+  return out;
+}
