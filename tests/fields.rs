@@ -86,6 +86,7 @@ const UNSEEN: &[(&str, &str)] = &[
     ("units", "the panel alone: tests/app.rs changes them"),
     ("renderscale", "a window's pixels: tests/app.rs counts them"),
     ("adaptive", "a window's pixels: tests/app.rs lets it follow the time"),
+    ("detail", "the light of a running sea: tests/app.rs lets it run"),
     ("maxdpr", "a window's pixels: tests/app.rs counts them"),
 ];
 

@@ -1,9 +1,10 @@
-//! Chooses the picture's resolution and the FFT size from the times that frames take.
+//! Chooses the picture's resolution, the tier of its light and the FFT size from the times that frames take.
 //!
 //! The governor aims at 60 frames a second, or at the next lower rate that the display can show, down to 30, before it
 //! gives up more than half of the pixels. A frame's cost on the GPU decides how far it steps. Whether frames come too
 //! late decides that it steps at all, so a frame that is on time never loses pixels. A step down that brings no faster
 //! frames is undone: then the display sets the pace (a power saver, a screen of 30 Hz) or the CPU does.
+//! At less than half of the pixels, the governor tries the lean light; if that shortens frames, the pixels return.
 
 /// Time per frame of smooth motion, s: the aim while it costs no more than half of the pixels.
 const SMOOTH_FRAME_S: f64 = 1.0 / 60.0;
@@ -62,6 +63,18 @@ pub struct Governor {
     halvings: u32,
     /// Whether halving the FFT size has shown not to help.
     halving_is_useless: bool,
+    /// Whether the water has the lean light.
+    is_lean: bool,
+    /// Whether the user leaves the choice of the light.
+    may_be_lean: bool,
+    /// Whether the lean light has shown not to help.
+    lean_is_useless: bool,
+    /// GPU time of a frame with the lean light, divided by that with the full one.
+    lean_factor: f64,
+    /// GPU time before the lean light, s, while its effect is being measured.
+    lean_trial_s: Option<f64>,
+    /// Number of frames after the last change that are not measured.
+    unmeasured: u32,
     /// Time per frame that the governor aims at.
     aim_s: f64,
     /// The display's refresh interval, if it is known, and for how long it has been.
@@ -121,6 +134,12 @@ impl Governor {
             min_scale,
             halvings,
             halving_is_useless: false,
+            is_lean: scale < MIN_SCALE_FOR_SMOOTH_MOTION,
+            may_be_lean: true,
+            lean_is_useless: false,
+            lean_factor: light::UNKNOWN_LEAN_FACTOR,
+            lean_trial_s: None,
+            unmeasured: 0,
             aim_s: SMOOTH_FRAME_S,
             display: None,
             trial: None,
@@ -146,14 +165,15 @@ impl Governor {
         self.halvings
     }
 
-    /// Number that differs between any two choices of resolution and FFT size; 0 for all pixels and the full FFT.
+    /// Number that differs between any two choices of resolution, light and FFT size; 0 for the best of all.
     pub fn level(&self) -> u32 {
-        self.steps_down << 8 | self.halvings
+        self.steps_down << 8 | u32::from(self.is_lean) << 4 | self.halvings
     }
 
-    /// Returns to all pixels and the full FFT size, because the user wants no adaptive quality.
+    /// Returns to all pixels, full light and the full FFT size, because the user wants no adaptive quality.
     pub fn give_all_pixels(&mut self) {
         (self.trial, self.halving_is_useless) = (None, false);
+        (self.is_lean, self.lean_is_useless, self.lean_trial_s) = (false, false, None);
         if self.level() != 0 {
             self.change(0, 0);
         }
@@ -188,8 +208,8 @@ impl Governor {
         self.display = self.display.filter(|(_, age_s)| *age_s < DISPLAY_MEMORY_S);
         self.frames += 1;
         // After a change, the GPU may still work on frames recorded before it.
-        let (unmeasured, least_measured) = if interval_s > SLOW_INTERVAL_S { (1, 2) } else { (2, 4) };
-        if self.frames <= unmeasured {
+        let (skipped, least_measured) = if interval_s > SLOW_INTERVAL_S { (1, 2) } else { (2, 4) };
+        if self.frames <= skipped.max(self.unmeasured) {
             return;
         }
         self.intervals_s.push(interval_s);
@@ -213,6 +233,9 @@ impl Governor {
         if let Some(trial) = self.trial.take()
             && !self.conclude(trial, measured)
         {
+            return;
+        }
+        if self.judge_light(measured) {
             return;
         }
         self.choose_aim(measured);
@@ -339,7 +362,7 @@ impl Governor {
 
     fn change(&mut self, steps_down: u32, halvings: u32) {
         (self.steps_down, self.halvings) = (steps_down, halvings);
-        self.since_raise_s = None;
+        (self.since_raise_s, self.unmeasured) = (None, 0);
         self.on_time_s = 0.0;
         self.quiet_decisions = 0;
         self.discard_measurements();
@@ -352,5 +375,6 @@ fn median(values: &mut [f64]) -> f64 {
     values[values.len() / 2]
 }
 
+mod light;
 #[cfg(test)]
 mod tests;

@@ -33,6 +33,7 @@ pub mod web;
 use crate::gpu::Gpu;
 use crate::point::buoy_record::BuoyRecord;
 use crate::state::look::SkyFile;
+use crate::state::params::Screen;
 use crate::state::{Params, floats, query, rounding};
 use crate::waves::SeaChange;
 use derived::DerivedSeaData;
@@ -247,10 +248,12 @@ impl App {
         self.discard_measurements();
     }
 
-    /// Copy of the current parameters, with the FFT size that adaptive quality allows; the frame is drawn with it.
+    /// Copy of the current parameters, with the FFT size and the light that adaptive quality allows; the frame is drawn
+    /// with it.
     fn params_to_draw(&self) -> Params {
         let grid = self.quality.reduced_grid(&self.params.grid, &self.params.screen);
-        Params { grid, ..self.params.clone() }
+        let screen = Screen { detail: self.quality.detail(&self.params.screen), ..self.params.screen.clone() };
+        Params { grid, screen, ..self.params.clone() }
     }
 }
 
@@ -284,7 +287,7 @@ impl eframe::App for App {
                 time_is_stopped: self.params.clock.paused,
                 has_extra_work: self.progress.is_replaying_foam_or_fading(),
             };
-            self.quality.adapt(times, self.params.screen.adaptive);
+            self.quality.adapt(times, &self.params.screen);
         }
         let params = self.params_to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;

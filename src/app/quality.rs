@@ -1,7 +1,7 @@
 //! Adaptive quality: a machine that is too slow draws fewer pixels, and after that a smaller FFT.
 
 use super::governor::Governor;
-use crate::state::params::{Grid, Screen};
+use crate::state::params::{Detail, Grid, Screen};
 
 /// Lowest factor by which adaptive quality scales the picture's width and height on a hardware GPU.
 const MIN_RESOLUTION_SCALE: f64 = 0.4;
@@ -64,8 +64,8 @@ impl AdaptiveQuality {
     }
 
     /// Adapts the quality after a frame. Quality is full, as far as memory allows, while simulated time is stopped and
-    /// if the user has not chosen `adaptive` quality.
-    pub fn adapt(&mut self, times: FrameTimes, adaptive: bool) {
+    /// if the user has not chosen adaptive quality.
+    pub fn adapt(&mut self, times: FrameTimes, screen: &Screen) {
         let was_still = std::mem::replace(&mut self.time_is_stopped, times.time_is_stopped);
         let was_stall = std::mem::replace(&mut self.was_stall, times.interval_s > STALL_S);
         let is_pause = self.was_stall && !was_stall;
@@ -75,7 +75,8 @@ impl AdaptiveQuality {
         }
         let interval_s = times.interval_s.min(STALL_S);
         self.frame_s += (interval_s - self.frame_s) * 0.2;
-        if !adaptive {
+        self.governor.let_light_be_lean(screen.detail == Detail::Auto);
+        if !screen.adaptive {
             self.governor.give_all_pixels();
         } else if times.has_extra_work {
             self.governor.discard_measurements();
@@ -83,6 +84,16 @@ impl AdaptiveQuality {
             let gpu_s = times.gpu.filter(|(level, _)| *level == self.level()).map(|(_, gpu_s)| gpu_s);
             self.governor.note_frame(interval_s, gpu_s);
         }
+    }
+
+    /// Tier of the light with which the present frame is drawn.
+    pub fn detail(&self, screen: &Screen) -> Detail {
+        let is_lean = match screen.detail {
+            Detail::Auto => screen.adaptive && self.governor.is_lean(),
+            Detail::Full => false,
+            Detail::Lean => true,
+        };
+        if is_lean && !self.time_is_stopped { Detail::Lean } else { Detail::Full }
     }
 
     /// Number that tells apart the qualities between which the governor chooses.
@@ -145,7 +156,8 @@ impl AdaptiveQuality {
         if self.time_is_stopped || self.governor.level() == 0 {
             return "full quality".to_owned();
         }
-        format!("{:.0} % of the pixels, to keep up", 100.0 * self.governor.scale().powi(2))
+        let light = if self.governor.is_lean() { ", simpler light" } else { "" };
+        format!("{:.0} % of the pixels{light}, to keep up", 100.0 * self.governor.scale().powi(2))
     }
 }
 
@@ -158,7 +170,7 @@ mod tests {
         let mut t = 0.0;
         while t < seconds {
             let dt = frame_s(quality);
-            quality.adapt(FrameTimes { interval_s: dt, ..FrameTimes::default() }, true);
+            quality.adapt(FrameTimes { interval_s: dt, ..FrameTimes::default() }, &Screen::default());
             t += dt;
         }
     }
@@ -190,7 +202,7 @@ mod tests {
         screen.adaptive = false;
         assert_eq!(quality.picture_size(points, 3.0, &screen, 8192), [2000, 1000]);
         screen.adaptive = true;
-        quality.adapt(FrameTimes { interval_s: 0.3, time_is_stopped: true, ..FrameTimes::default() }, true);
+        quality.adapt(FrameTimes { interval_s: 0.3, time_is_stopped: true, ..FrameTimes::default() }, &screen);
         assert_eq!(quality.picture_size(points, 3.0, &screen, 8192), [2000, 1000]);
         assert_eq!(quality.reduced_grid(&grid, &screen), grid);
         assert_eq!(quality.picture_size(points, 3.0, &screen, 512), [512, 512]);

@@ -5,6 +5,7 @@ use super::measurements::FrameMeasurements;
 use crate::gpu::Gpu;
 use crate::ocean::Ocean;
 use crate::state::Params;
+use crate::state::params::Detail;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use web_time::Instant;
@@ -130,6 +131,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         self.measurements.begin_frame(ocean, self.tag);
         ocean.set_may_keep_pipelines(!self.params.clock.paused);
         ocean.transition_to(&self.params, self.dt_s);
+        ocean.set_lean(self.params.screen.detail == Detail::Lean);
         let most_steps = foam_steps_per_frame(ocean.gpu(), ocean.plan().n);
         let caught_up = ocean.record_frame(&mut encoder, self.size, most_steps);
         let is_whole = caught_up && !ocean.in_transition();

@@ -123,6 +123,18 @@ choice_enum! {
     }
 }
 
+choice_enum! {
+    /// Tier of the light of a running sea's water. A still and a reference always have the full one.
+    pub enum Detail {
+        /// The full tier, and the lean one while a GPU is too slow for 70 % of the picture's width and height.
+        Auto = "auto",
+        /// All that the program knows about the light of water.
+        Full = "full",
+        /// A third of the work in each pixel: fewer samples of waves, foam and mirrored sky.
+        Lean = "lean",
+    }
+}
+
 parameters! {
     /// Display settings of the window or web page. They change neither the sea nor its light nor the camera.
     pub struct Screen {
@@ -135,6 +147,9 @@ parameters! {
         /// Lowers the render resolution, and at its limit the FFT size, while frames take too long; raises both again
         /// when there is time. A smaller FFT size leaves out the shortest waves; longer waves stay the same.
         adaptive: bool = true => ("adaptive", "Adaptive quality", "", Flag),
+        /// Light of the running water: full, lean (a third of the work in each pixel, with fewer samples of waves, foam
+        /// and mirrored sky), or auto, lean only if it lets a slow GPU keep more pixels. A still always has full light.
+        detail: Detail = Detail::Auto => ("detail", "Detail", "", Choice(Detail::WORDS)),
         /// Largest number of rendered pixels per logical pixel (point) of the window, along each axis. Phones and dense
         /// screens have more pixels than the eye resolves.
         max_pixel_ratio: f64 = 2.0 => ("maxdpr", "Pixel ratio, at most", "", number(0.5, 4.0)),

@@ -11,6 +11,9 @@ enum Pace {
     Capped,
 }
 
+/// Time for which the compiler of a pipeline holds up a frame, s.
+const COMPILATION_S: f64 = 0.3;
+
 /// A display with a refresh interval, and a GPU that takes `full_s` for a frame with all pixels, of which the fraction
 /// `fixed` does not depend on the number of pixels.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +22,8 @@ struct Machine {
     pace: Pace,
     full_s: f64,
     fixed: f64,
+    /// Factor that the lean light brings on the GPU time.
+    lean: f64,
     /// Whether the machine tells GPU times.
     has_gpu_times: bool,
     /// Largest relative deviation of a frame's GPU time.
@@ -27,7 +32,15 @@ struct Machine {
 
 /// A display of 60 Hz with two buffers, and a GPU that takes `full_s` for a frame with all pixels.
 fn machine(full_s: f64) -> Machine {
-    Machine { refresh_s: 1.0 / 60.0, pace: Pace::DoubleBuffered, full_s, fixed: 0.0, has_gpu_times: true, noise: 0.04 }
+    Machine {
+        refresh_s: 1.0 / 60.0,
+        pace: Pace::DoubleBuffered,
+        full_s,
+        fixed: 0.0,
+        lean: 1.0,
+        has_gpu_times: true,
+        noise: 0.04,
+    }
 }
 
 impl Machine {
@@ -67,18 +80,22 @@ impl Machine {
     /// Runs the governor for some seconds. Returns time and scale of every frame.
     fn run(&self, governor: &mut Governor, seconds: f64) -> Vec<(f64, f64)> {
         let (mut t, mut frames) = (0.0, Vec::new());
-        let mut in_flight: Vec<(f64, f64)> = Vec::new();
+        let mut in_flight: Vec<(u32, f64)> = Vec::new();
+        let mut was_lean = governor.is_lean();
         while t < seconds {
-            let scale = governor.scale();
+            let (scale, level) = (governor.scale(), governor.level());
+            // The first frame with the lean light compiles a pipeline.
+            let is_first = governor.is_lean() && !std::mem::replace(&mut was_lean, governor.is_lean());
+            let light = if governor.is_lean() { self.lean } else { 1.0 };
             // Noise by a formula, so that every run of the test has the same frames.
-            let gpu_s = self.gpu_s(scale) * (1.0 + self.noise * (frames.len() as f64 * 2.399_963).sin());
-            let interval_s = self.interval_s(gpu_s);
+            let gpu_s = light * self.gpu_s(scale) * (1.0 + self.noise * (frames.len() as f64 * 2.399_963).sin());
+            let interval_s = self.interval_s(gpu_s) + if is_first { COMPILATION_S } else { 0.0 };
             t += interval_s;
             frames.push((t, scale));
-            in_flight.push((scale, gpu_s));
+            in_flight.push((level, gpu_s));
             // GPU times arrive two frames later, and count only if the resolution is still the same.
             let arrived = (in_flight.len() > 2).then(|| in_flight.remove(0));
-            let known = arrived.filter(|(at, _)| self.has_gpu_times && *at == scale).map(|(_, gpu_s)| gpu_s);
+            let known = arrived.filter(|(at, _)| self.has_gpu_times && *at == level).map(|(_, gpu_s)| gpu_s);
             governor.note_frame(interval_s, known);
         }
         frames
@@ -202,4 +219,64 @@ fn the_fft_shrinks_last_and_only_if_it_helps() {
         Machine { fixed: 0.8, ..machine(full_s) }.run(&mut helped, 0.1);
     }
     assert!(helped.halvings() >= 1, "{helped:?}");
+}
+
+/// Largest relative distance from the best scale.
+const NEARNESS: f64 = 0.1;
+
+/// Scale and light that a machine ought to end with: the full light if it leaves the scale `least`.
+fn best_with_light(machine: &Machine, least: f64) -> (f64, bool) {
+    let full = machine.best_scale(least);
+    if full >= least || machine.lean > NEEDED_SHORTENING {
+        return (full.max(0.4), false);
+    }
+    let lean = Machine { full_s: machine.lean * machine.full_s, ..*machine };
+    (lean.best_scale(least).max(0.4), true)
+}
+
+#[test]
+fn the_lean_light_comes_before_less_than_half_of_the_pixels_and_stays() {
+    let mut faults = Vec::new();
+    for machine in machines().flat_map(|machine| [0.95, 0.85, 0.6, 0.4].map(|lean| Machine { lean, ..machine })) {
+        let mut governor = machine.after_start();
+        let frames = machine.run(&mut governor, 12.0);
+        let late: Vec<f64> = frames.iter().filter(|(t, _)| *t > 4.0).map(|(_, scale)| *scale).collect();
+        let changes = late.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        // Just where another frame time becomes the better one, both are right.
+        let best = [0.66, 0.7, 0.78].map(|least| best_with_light(&machine, least));
+        let is_near = best.iter().any(|(scale, is_lean)| {
+            (governor.scale() / scale - 1.0).abs() <= NEARNESS && *is_lean == governor.is_lean()
+        });
+        // A step down that shortens frames by less than a tenth is undone. With fixed costs, that can leave more pixels
+        // at a fifth more than the time of 30 Hz.
+        let light = if governor.is_lean() { machine.lean } else { 1.0 };
+        let interval_s = machine.interval_s(light * machine.gpu_s(governor.scale()));
+        let is_rich = governor.scale() > best[1].0 && interval_s <= 1.201 * LONGEST_FRAME_S;
+        let is_hopeless = machine.lean * machine.gpu_s(0.4) > GPU_TIME_FRACTION * LONGEST_FRAME_S;
+        if !is_near && !is_rich && !is_hopeless || changes > 2 {
+            faults.push(format!(
+                "{machine:?}: best {best:.3?}, found {:.3} lean {}, {changes} changes",
+                governor.scale(),
+                governor.is_lean()
+            ));
+        }
+    }
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults[..faults.len().min(30)].join("\n"));
+}
+
+#[test]
+fn the_full_light_returns_with_time_and_by_choice() {
+    let slow = Machine { lean: 0.4, ..machine(0.09) };
+    let mut governor = slow.after_start();
+    slow.run(&mut governor, 5.0);
+    assert!(governor.is_lean() && governor.scale() > 0.85, "{governor:?}");
+    let fast = Machine { lean: 0.4, ..machine(0.005) };
+    fast.run(&mut governor, 10.0);
+    assert_eq!(governor.level(), 0, "{governor:?}");
+    slow.run(&mut governor, 15.0);
+    assert!(governor.is_lean());
+    governor.let_light_be_lean(false);
+    assert!(!governor.is_lean());
+    slow.run(&mut governor, 5.0);
+    assert!(!governor.is_lean() && governor.scale() < 0.7, "{governor:?}");
 }
