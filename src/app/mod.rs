@@ -299,7 +299,8 @@ impl eframe::App for App {
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
         let (response, size) =
             viewport::show_sea(ui, &params, (&self.progress, &self.frame_measurements), sense, level, pixels);
-        self.drawn = Some((params, size));
+        // A saved picture remembers the user's choice of the light, not the tier of this moment.
+        self.drawn = Some((Params { screen: self.params.screen.clone(), ..params }, size));
         self.place_floating_object(&response, &ctx);
         camera::apply_pointer_to_camera(&mut self.params.camera, &response, &ctx);
         caption::show_view_caption(&self.params, &self.derived.plan, &ctx);
