@@ -421,6 +421,16 @@ fn the_picture_has_as_many_pixels_as_asked_for() {
 }
 
 #[test]
+fn a_running_sea_has_the_light_asked_for_and_a_still_the_full_one() {
+    let drawn = |state: &str| open(&format!("n=64&t=5&ui=0&adaptive=0&{state}")).render().expect("a picture");
+    let [lean, full] = ["speed=0&detail=lean", "speed=0&detail=full"].map(drawn);
+    let differing = lean.pixels().zip(full.pixels()).filter(|(a, b)| a != b).count();
+    assert!(differing > 20_000, "{differing} of 450,000 pixels show the lean light");
+    let [still_lean, still_full] = ["pause=1&detail=lean", "pause=1&detail=full"].map(drawn);
+    assert!(still_lean == still_full, "a still has full light");
+}
+
+#[test]
 fn the_sea_is_measured_and_its_passes_are_timed() {
     let mut harness = open_in("wind=10&fetch=100&n=128&pause=1&t=5&renderscale=0.3", [700.0, 1400.0]);
     for section in ["Plots", "More numbers", "Time of a frame"] {

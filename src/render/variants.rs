@@ -112,28 +112,24 @@ mod tests {
         let compiling = gpu.clone();
         variants.select(1, true, move || pipeline(&compiling));
         let first = variants.selected().cloned().expect("the first variant is compiled at once");
-        let (finish, may_finish) = mpsc::channel();
-        let (compiling, mut wanted) = (gpu.clone(), Some(may_finish));
-        let deadline = std::time::Instant::now() + std::time::Duration::from_secs(60);
-        loop {
-            let (compiling, wait) = (compiling.clone(), wanted.take());
-            variants.select(2, true, move || {
-                wait.expect("compiled once").recv().expect("a sender");
-                pipeline(&compiling)
-            });
-            let selected = variants.selected().cloned().expect("a variant");
-            if selected != first {
-                break;
-            }
-            // The thread waits for this, so the frames until here had the first variant.
-            let _ = finish.send(());
-            assert!(std::time::Instant::now() < deadline, "the thread's variant never came");
-            std::thread::sleep(std::time::Duration::from_millis(5));
+        let [(finish, may_finish), (report, is_compiled)] = [mpsc::channel(), mpsc::channel()];
+        let compiling = gpu.clone();
+        variants.select(2, true, move || {
+            may_finish.recv().expect("a sender");
+            let compiled = pipeline(&compiling);
+            report.send(()).expect("a receiver");
+            compiled
+        });
+        assert_eq!(variants.selected(), Some(&first), "the thread is still compiling");
+        finish.send(()).expect("a receiver");
+        is_compiled.recv_timeout(std::time::Duration::from_secs(60)).expect("the thread compiles");
+        while variants.selected() == Some(&first) {
+            variants.select(2, true, || panic!("compiled twice"));
+            std::thread::yield_now();
         }
         variants.select(1, true, || panic!("made before"));
         assert_eq!(variants.selected(), Some(&first));
-        let compiling = gpu.clone();
-        variants.select(3, false, move || pipeline(&compiling));
+        variants.select(3, false, move || pipeline(&gpu));
         assert_ne!(variants.selected(), Some(&first), "a still waits for its pipeline");
     }
 }
