@@ -11,6 +11,7 @@ use seastate::ocean::{Ocean, OutputKind, SampleGrid};
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::sim::transform::FftImplementation;
+use seastate::state::params::Detail;
 use seastate::state::query;
 use seastate::waves::Plan;
 use serde_json::{Value, json};
@@ -22,8 +23,9 @@ use std::sync::{LazyLock, Mutex};
 const SEAS: [&str; 3] = ["n=256", "n=512", "n=1024"];
 /// Pictures that together need the renderer's pipelines: one for each part that shaders have or lack, except for a sky
 /// from a file, which no state string holds.
-const PICTURES: [&str; 14] = [
+const PICTURES: [&str; 15] = [
     "",
+    "detail=lean",
     "foam=0",
     "depth=4",
     "depth=4&caustics=1",
@@ -95,7 +97,14 @@ impl Record {
             .collect();
         let mut pipeline = rest;
         let is_reference = pipeline["colours"][0] == "rgba32float";
-        let name = format!("{label} {}{}", list.join(" "), if is_reference { " (reference)" } else { "" });
+        let kind = if is_reference {
+            " (reference)"
+        } else if pipeline["fragment"] == "lean_fragment" {
+            " (lean)"
+        } else {
+            ""
+        };
+        let name = format!("{label} {}{kind}", list.join(" "));
         pipeline["name"] = name.trim().into();
         pipeline["module"] = self.modules[module].as_str().into();
         pipeline["constants"] = json!(constants);
@@ -124,6 +133,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for picture in PICTURES {
         let wanted = params(picture)?;
         ocean.set_params(&wanted);
+        ocean.set_lean(wanted.screen.detail == Detail::Lean);
         let mut encoder = gpu.encoder("picture");
         ocean.record_frame(&mut encoder, size, 1);
         gpu.submit(encoder);
