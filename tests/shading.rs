@@ -714,7 +714,10 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "J1: J_xz = 1 + dDx/dz",
-        &[("waves.sums = carried;", "waves.sums = carried;\n  waves.sums.shear += vec2f(1.0);")],
+        &[(
+            "waves.sums = carried;\n  // Covariance of the slopes",
+            "waves.sums = carried;\n  waves.sums.shear += vec2f(1.0);\n  // Covariance of the slopes",
+        )],
         "mean jacobian off 1",
     ),
     Fault(
