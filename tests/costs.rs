@@ -29,7 +29,7 @@ use wgpu::{BufferUsages, TextureFormat};
 /// Size of the picture whose shaders are counted, pixels: the size for which the budgets are printed.
 const SIZE_PX: [u32; 2] = [1920, 1080];
 
-/// What a shader executes per pixel or vertex.
+/// Counted operations and texture reads of a shader per pixel or vertex.
 struct Executed {
     mean: Count,
     /// The most operations of a pixel or vertex, and the most reads of one.
@@ -84,7 +84,7 @@ fn picture(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> [Vec<[f16; 4]>; 2] {
     bytes.map(|bytes| bytemuck::pod_collect_to_vec(&bytes.expect("read-back")))
 }
 
-/// What the displacement of the mesh of a drawn picture executes.
+/// Counted operations and reads per vertex of the pass that displaces the mesh of a drawn picture.
 fn displacement(gpu: &Gpu, ocean: &Ocean) -> Executed {
     let shader = instrument::compute(&text("water/displace"), "main");
     let (vertices, maps) = (ocean.vertex_count(), ocean.maps());

@@ -59,6 +59,19 @@ fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
   return (sun + sky) * r / (4.0 * (1.0 - 0.48 * r));
 }
 
+// Fraction of the light behind a crest that comes through it scattered. `rise` is as in water_crest_radiance.
+fn water_crest_transmittance(rise: f32, jacobian: f32, plume: f32) -> vec3f {
+  // The path through a crest is decimetres long at its edge, and metres below it.
+  let path_m = 0.8 + 1.2 * frame.hs_m * max(0.75 - rise, 0.0);
+  // A crest that is about to break draws in air.
+  let air = clamp(0.9 - jacobian, 0.0, 0.7);
+  let bubbles = water_bubble_backscatter(plume) + WATER_PLUME_BACKSCATTER * material.bubble_density * air;
+  let extinction = material.absorption + material.backscatter + bubbles;
+  // Bubbles scatter mostly forward, too, and light that is scattered twice still gets through.
+  let forward = material.scattering + 12.0 * bubbles * material.bubble_colour;
+  return exp(-extinction * path_m) * (1.0 - exp(-forward * path_m));
+}
+
 // Light through the back of a crest. `rise` is the height above the mean level divided by the significant wave height.
 fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
   let squeezed = clamp(1.6 - jacobian, 0.0, 1.0);
@@ -71,16 +84,7 @@ fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f
   let entry = max(dot(back, frame.sun_direction), 0.0);
   let beam = water_refract(-frame.sun_direction, back);
   let phase = atm_henyey_greenstein(dot(beam, -ray), WATER_CREST_MEAN_COSINE);
-  // The path through a crest is decimetres long at its edge, and metres below it.
-  let path_m = 0.8 + 1.2 * frame.hs_m * max(0.75 - rise, 0.0);
-  // A crest that is about to break draws in air.
-  let air = clamp(0.9 - jacobian, 0.0, 0.7);
-  let bubbles = water_bubble_backscatter(plume) + WATER_PLUME_BACKSCATTER * material.bubble_density * air;
-  let extinction = material.absorption + material.backscatter + bubbles;
-  // Bubbles scatter mostly forward, too, and light that is scattered twice still gets through.
-  let forward = material.scattering + 12.0 * bubbles * material.bubble_colour;
-  let scattered = 1.0 - exp(-forward * path_m);
-  let through = exp(-extinction * path_m) * scattered;
+  let through = water_crest_transmittance(rise, jacobian, plume);
   let sun = light.sun_irradiance * (entry * (1.0 - water_fresnel(entry)) * phase);
   // The bright sky behind the crest shines through it, too.
   let sky = light.sky_irradiance * (0.25 * clamp(1.0 + ray.y, 0.0, 1.0) / ATM_PI);

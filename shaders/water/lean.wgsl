@@ -157,11 +157,7 @@ fn lean_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f3
   let l = frame.sun_direction;
   let entry = max(n.y * l.y - n.x * l.x - n.z * l.z, 0.0);
   let phase = atm_henyey_greenstein(dot(l, ray), WATER_CREST_MEAN_COSINE);
-  let path_m = 0.8 + 1.2 * frame.hs_m * max(0.75 - rise, 0.0);
-  let air = clamp(0.9 - jacobian, 0.0, 0.7);
-  let bubbles = water_bubble_backscatter(plume) + WATER_PLUME_BACKSCATTER * material.bubble_density * air;
-  let forward = material.scattering + 12.0 * bubbles * material.bubble_colour;
-  let through = exp(-path_m * (material.absorption + material.backscatter + bubbles)) * (1.0 - exp(-forward * path_m));
+  let through = water_crest_transmittance(rise, jacobian, plume);
   let sun = light.sun_irradiance * (step(-0.02, l.y) * entry * phase);
   let sky = light.sky_irradiance * (0.25 / ATM_PI * clamp(1.0 + ray.y, 0.0, 1.0));
   return (sun + sky) * through * (material.crest_transmission * thin);

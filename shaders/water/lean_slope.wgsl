@@ -51,10 +51,7 @@ fn lean_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: LeanFootp
   // As in water_sampling: the moments hold nothing finer than two texels.
   let counted = clamp(lod + 0.5, 0.0, 1.0) * map.variance_factor;
   if counted > 0.0 {
-    let moments = textureSampleLevel(moments_map, nearest_mip_sampler, uv, map.layer, lod - 1.0).xyz;
-    let mean = gradients.xy;
-    let beyond = map.moment_unit * moments - vec3f(mean * mean, mean.x * mean.y);
-    (*out).variance += counted * max(beyond, vec3f(0.0, 0.0, -1.0));
+    (*out).variance += counted * water_unresolved_covariance(map, uv, lod - 1.0, gradients.xy);
   }
 }
 
@@ -75,10 +72,10 @@ fn lean_slope(at: vec2f, foot: LeanFootprint, carried: WaterDerivatives) -> Wate
       lean_add_waves(&waves, at, foot, map, share);
     }
   }
-  // As water_displaced_slope.
+  // As water_displaced_slope, with a cheaper limit and one mean for the whole pixel.
   let sums = waves.sums;
   let sides = 1.0 + frame.choppiness * sums.stretch;
-  let jacobian = sides.x * sides.y - frame.choppiness.x * frame.choppiness.y * sums.shear.x * sums.shear.y;
+  let jacobian = water_jacobian(sums, sides);
   var out: WaterSlope;
   out.mean = water_slope_displaced(sums.slope, sums, sides) * (1.0 / max(jacobian, 0.25));
   out.mean = clamp(out.mean, vec2f(-1.2), vec2f(1.2));

@@ -73,11 +73,21 @@ fn light_vertex(@builtin(vertex_index) i: u32) -> LightFragment {
   return LightFragment(vec4f(at, 1e-30, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
 }
 
+// Position relative to the eye, m, of the water that a pixel shows. The ray's component along the viewing direction is
+// 1, and depth is near-plane distance / distance along it.
+fn water_position(ray: vec3f, pixel: vec2i) -> vec3f {
+  return ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
+}
+
+// Height of the wave at a position relative to the eye, m, on the spherical Earth.
+fn water_height_m(place: vec3f) -> f32 {
+  return place.y + frame.eye_height_m + dot(place.xz, place.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
+}
+
 @fragment
 fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
-  // The component of the ray along the viewing direction is 1, and depth is near-plane distance / distance along it.
-  let place = in.ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
+  let place = water_position(in.ray, pixel);
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
   let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
   let x = water_pixel_side(dpdx(at), shear_and_side.y);
@@ -98,18 +108,16 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let bend_x = select(vec2f(0.0), dpdx(slope.mean), x.is_smooth);
   let bend_y = select(vec2f(0.0), dpdy(slope.mean), y.is_smooth);
   let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
-  let height = place.y + frame.eye_height_m + dot(place.xz, place.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
-  return water_radiance(WaterPoint(place, at, height), foot, bent);
+  return water_radiance(WaterPoint(place, at, water_height_m(place)), foot, bent);
 }
 
 @fragment
 fn lean_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
-  let place = in.ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
+  let place = water_position(in.ray, pixel);
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
   let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
   let mesh = textureLoad(slope_and_stretch_map, pixel, 0);
   let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
-  let height = place.y + frame.eye_height_m + dot(place.xz, place.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
-  return lean_radiance(WaterPoint(place, at, height), shear_and_side.y, carried);
+  return lean_radiance(WaterPoint(place, at, water_height_m(place)), shear_and_side.y, carried);
 }

@@ -99,11 +99,17 @@ fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFoo
     if sampling.variance_weight > 0.0 {
       // Copies of the patch are independent: their variances add with the squares of their weights.
       let mean = sampling.slope_weight * gradients.mean.xy;
-      let moments = textureSampleLevel(moments_map, nearest_mip_sampler, uv, map.layer, sampling.moment_lod).xyz;
-      let beyond = map.moment_unit * moments - vec3f(mean * mean, mean.x * mean.y);
-      (*out).variance += (variance_gain * weight * weight) * max(beyond, vec3f(0.0, 0.0, -1.0));
+      (*out).variance +=
+        (variance_gain * weight * weight) * water_unresolved_covariance(map, uv, sampling.moment_lod, mean);
     }
   }
+}
+
+// Covariance (xx, zz, xz) of a cascade's slopes at texture coordinates: a mip level of their second moments, less the
+// square of the mean slope `mean`.
+fn water_unresolved_covariance(map: FrameCascade, uv: vec2f, lod: f32, mean: vec2f) -> vec3f {
+  let moments = textureSampleLevel(moments_map, nearest_mip_sampler, uv, map.layer, lod).xyz;
+  return max(map.moment_unit * moments - vec3f(mean * mean, mean.x * mean.y), vec3f(0.0, 0.0, -1.0));
 }
 
 // Covariance (xx, zz, xz) of all slopes of a cascade around an undisplaced position, from the coarsest mip level.
@@ -150,7 +156,7 @@ fn water_slope_with_carried(
 fn water_displaced_slope(waves: WaterSlopeSums) -> WaterSlope {
   let sums = waves.sums;
   let sides = 1.0 + frame.choppiness * sums.stretch;
-  let jacobian = sides.x * sides.y - frame.choppiness.x * frame.choppiness.y * sums.shear.x * sums.shear.y;
+  let jacobian = water_jacobian(sums, sides);
   // Where the surface folds over itself, its slope has no meaning. It only needs to stay finite below the foam.
   let over = 1.0 / max(jacobian, 0.25);
   var out: WaterSlope;
@@ -160,6 +166,11 @@ fn water_displaced_slope(waves: WaterSlopeSums) -> WaterSlope {
   out.jacobian = jacobian;
   out.half_slope_difference = water_slope_displaced(waves.half_slope_difference, sums, sides) * over;
   return out;
+}
+
+// Jacobian of the displacement. `sides` is 1 + chop (dDx/dx, dDz/dz).
+fn water_jacobian(sums: WaterDerivatives, sides: vec2f) -> f32 {
+  return sides.x * sides.y - frame.choppiness.x * frame.choppiness.y * sums.shear.x * sums.shear.y;
 }
 
 // Slope of the displaced surface times its Jacobian, from the undisplaced slope. `sides` is 1 + chop (dDx/dx, dDz/dz).

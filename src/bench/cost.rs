@@ -91,7 +91,7 @@ pub fn simulation_step_cost(n: u32, foam_n: u32, cascades: u32, maps: MapFormat)
         + foam_pass_cost(foam_n, cascades, maps)
 }
 
-/// What a shader executes per vertex or pixel of the default picture, loops and branches as they are taken. A root,
+/// Numbers of operations and texture reads that a shader executes per vertex or pixel of the default picture. A root,
 /// quotient or transcendental function counts as four operations. `tests/costs.rs` measures these counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShaderCost {

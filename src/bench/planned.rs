@@ -9,14 +9,14 @@ use crate::state::params::Camera;
 use crate::waves::Plan;
 use std::fmt;
 
-/// What the passes of one frame have to do.
+/// Sizes from which the work of the passes of one frame is counted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameWork {
     /// Width and height of the picture, pixels.
     pub size: [u32; 2],
     /// Sizes and format of the maps of the simulation.
     pub maps: MapSizes,
-    /// What the picture contains.
+    /// Numbers of pixels, vertices and bytes of the picture.
     pub picture: PictureContents,
 }
 
@@ -66,7 +66,7 @@ impl FrameWork {
     }
 }
 
-/// What a frame of a state costs, without a GPU: printed by `seastate bench --budget`.
+/// Counted work and predicted times of a frame of a state, without a GPU: printed by `seastate bench --budget`.
 pub struct Budget<'a> {
     /// The sea and its picture.
     pub params: &'a Params,

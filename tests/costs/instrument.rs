@@ -17,16 +17,18 @@ pub struct Instrumented {
     pub functions: Vec<String>,
 }
 
-/// What a pixel shows of its counts: those of everything that it executes, or of one function alone.
+/// The count that a pixel shows: of operations or of reads, of the whole shader or of one function alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shown {
+    /// Index of the function; None for the whole shader.
     pub function: Option<usize>,
     /// Whether it shows texture reads, not operations.
     pub reads: bool,
 }
 
 impl Shown {
-    /// What a pixel shows of a shader with `count` functions. Half of all pixels show the counts of everything.
+    /// The count that the pixel (x, y) shows, of a shader with `count` functions. Half of all pixels show counts of the
+    /// whole shader.
     pub fn of([x, y]: [u32; 2], count: usize) -> Self {
         let mut v = x.wrapping_mul(747_796_405).wrapping_add(y.wrapping_mul(2_891_336_453));
         v = (v ^ (v >> 16)).wrapping_mul(2_246_822_519);
