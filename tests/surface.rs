@@ -19,7 +19,7 @@ const ANSWER: &str = "
 fn answer(question: Question) -> Answer {
   let q = question[0];
   let width_m = q.z / WATER_TAP_TEXEL_RATIO;
-  let foot = water_footprint_of_samples(vec2f(q.w, 0.0), vec2f(0.0, width_m), q.w, width_m, width_m, 1);
+  let foot = water_footprint_of_samples(vec2f(q.w, 0.0), vec2f(0.0, width_m), q.w, width_m, width_m, false);
   let slope = water_slope(q.xy, foot);
   let vertex = water_displacement(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
   let split = water_slope_with_carried(q.xy, foot, foot, vertex.carried, true);

@@ -7,8 +7,8 @@ const TILE_VISIBLE_FROM = 0.25;
 // Number of copies that a point may see, one for each corner of its triangle. A hidden copy has the weight 0.
 const TILE_COPIES = 3u;
 
-// The copies of a patch that contribute to a point: lattice cell, weight W, and derivatives of W along the two
-// coordinates of the lattice. The x components belong to the current copy; `tile_next_copy` goes on to the next one.
+// The copies of a patch that contribute to a point: lattice cell, weight W, and, if wanted, derivatives of W along the
+// two coordinates of the lattice. The x components belong to the current copy; `tile_next_copy` goes on to the next one.
 struct TileBlend {
   weight: vec3f,
   along_u: vec3f,
@@ -17,8 +17,9 @@ struct TileBlend {
   cell_z: vec3i,
 }
 
-// The copies of the patch at the point that lies at the offset `at`, m, from the point of `position`.
-fn tile_blend(position: TileLatticePosition, at: vec2f) -> TileBlend {
+// The copies of the patch at the point that lies at the offset `at`, m, from the point of `position`. The derivatives of
+// the weights are 0 unless they are wanted.
+fn tile_blend(position: TileLatticePosition, at: vec2f, wants_derivatives: bool) -> TileBlend {
   let q = position.fraction + vec2f(dot(position.gradient_u, at), dot(position.gradient_v, at));
   let whole = floor(q);
   let rest = q - whole;
@@ -28,21 +29,20 @@ fn tile_blend(position: TileLatticePosition, at: vec2f) -> TileBlend {
   let raw = max(vec3f(1.0 - f.x - f.y, f) - TILE_VISIBLE_FROM, vec3f(0.0));
   let w = raw * raw;
   let norm = inverseSqrt(dot(w, w));
-  // Half the derivatives of w: the barycentric coordinates have the gradients (-1, -1), (1, 0) and (0, 1) in the lower
-  // triangle, and the opposite ones in the upper one.
-  let slope = select(raw, -raw, upper);
-  let pull = (norm * norm) * vec2f(w.y * slope.y - w.x * slope.x, w.z * slope.z - w.x * slope.x);
   let cell = position.cell + vec2i(whole);
   var out: TileBlend;
   out.weight = w * norm;
-  out.along_u = (2.0 * norm) * (vec3f(-slope.x, slope.y, 0.0) - w * pull.x);
-  out.along_v = (2.0 * norm) * (vec3f(-slope.x, 0.0, slope.z) - w * pull.y);
   out.cell_x = cell.x + select(vec3i(0, 1, 0), vec3i(1, 0, 1), upper);
   out.cell_z = cell.y + select(vec3i(0, 0, 1), vec3i(1, 1, 0), upper);
   if position.blends_copies == 0u {
     out.weight = vec3f(1.0, 0.0, 0.0);
-    out.along_u = vec3f(0.0);
-    out.along_v = vec3f(0.0);
+  } else if wants_derivatives {
+    // Half the derivatives of w: the barycentric coordinates have the gradients (-1, -1), (1, 0) and (0, 1) in the lower
+    // triangle, and the opposite ones in the upper one.
+    let slope = select(raw, -raw, upper);
+    let pull = (norm * norm) * vec2f(w.y * slope.y - w.x * slope.x, w.z * slope.z - w.x * slope.x);
+    out.along_u = (2.0 * norm) * (vec3f(-slope.x, slope.y, 0.0) - w * pull.x);
+    out.along_v = (2.0 * norm) * (vec3f(-slope.x, 0.0, slope.z) - w * pull.y);
   }
   return out;
 }

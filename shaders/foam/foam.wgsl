@@ -27,7 +27,7 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let uv = corner.uv + offset / patch_m;
     // The mip level is one finer than a cell, because linear interpolation between uncorrelated texels loses variance.
     let lod = max(log2(foam.levels[level].cell_m * f32(sea.n) / patch_m) - 1.0, 0.0);
-    var next = tile_blend(corner.tile_position, offset);
+    var next = tile_blend(corner.tile_position, offset, true);
     for (var i = 0u; i < TILE_COPIES; i++) {
       let blend = next;
       next = tile_next_copy(blend);

@@ -130,6 +130,8 @@ struct WaterQuadrature {
   // Slope at tilt 0, and its change with the tilt.
   slope: vec2f,
   slope_per_tilt: vec2f,
+  // Square of the slope, as a polynomial of the tilt.
+  square: vec3f,
   // Variance of the slope across the direction, given the slope along it.
   side_variance: f32,
   // Layer of the mirrored sky for all nodes; with GGX, each node has its own.
@@ -137,11 +139,13 @@ struct WaterQuadrature {
 }
 
 struct WaterQuadratureNode {
-  slope: vec2f,
+  tilt: f32,
+  // Tilt less the one below which facets are turned away from the eye.
+  past_low: f32,
   side_variance: f32,
   weight: f32,
-  // Layer of the mirrored sky that is blurred as widely as the node's interval of slopes turns the mirrored ray.
-  sky_layer: f32,
+  // Width of the node's interval, relative to the mean width.
+  width: f32,
 }
 
 // Layer of the mirrored sky for an interval of slopes: an even distribution over the interval has a deviation of
@@ -168,6 +172,8 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
   }
   q.slope = f.side * f.side_mean - f.tilt.toward * f.tilt.mean;
   q.slope_per_tilt = -(f.tilt.toward * f.tilt.sigma + f.side * f.tilt_side_shear);
+  q.square = vec3f(
+    dot(q.slope, q.slope), 2.0 * dot(q.slope, q.slope_per_tilt), dot(q.slope_per_tilt, q.slope_per_tilt));
   q.nodes = select(WATER_GAUSSIAN_NODES, WATER_GGX_NODES, WATER_GGX);
   q.part = 1.0 / f32(q.nodes);
   q.sky_layer = water_sky_layer(q.range * f.tilt.sigma * q.part);
@@ -175,8 +181,8 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
   return q;
 }
 
-// Node i of a quadrature over slopes whose tilt has the deviation `sigma`.
-fn water_quadrature_node(q: WaterQuadrature, sigma: f32, i: i32) -> WaterQuadratureNode {
+// Node i of a quadrature.
+fn water_quadrature_node(q: WaterQuadrature, i: i32) -> WaterQuadratureNode {
   let at = (f32(i) + 0.5) * q.part;
   var node: WaterQuadratureNode;
   if WATER_GGX {
@@ -184,21 +190,19 @@ fn water_quadrature_node(q: WaterQuadrature, sigma: f32, i: i32) -> WaterQuadrat
     // towards facets seen at grazing angles, which reflect most.
     let area = at * (1.4 - 0.4 * at);
     let a = q.range - atm_asin((area * (q.from_t + q.low) - q.low) / q.from_t);
-    let t = 1.41421356 * tan(clamp(a, -1.5, 1.5));
-    node.weight = 1.4 - 0.8 * at;
-    node.sky_layer = water_sky_layer(1.3 * node.weight * sigma * (1.0 + 0.5 * t * t) * q.part);
+    node.tilt = 1.41421356 * tan(clamp(a, -1.5, 1.5));
+    node.past_low = node.tilt + 1.41421356 * q.low;
+    node.width = 1.4 - 0.8 * at;
+    node.weight = node.width;
     // With GGX, a large slope along the direction makes a large slope across it more likely.
-    node.side_variance = q.side_variance * 0.5 * (2.0 + t * t);
-    node.slope = q.slope + t * q.slope_per_tilt;
+    node.side_variance = q.side_variance * (1.0 + 0.5 * node.tilt * node.tilt);
     return node;
   }
-  let off = at * (WATER_FIRST_NODE_WIDTH + (1.0 - WATER_FIRST_NODE_WIDTH) * at) * q.range;
-  let width = WATER_FIRST_NODE_WIDTH + (2.0 - 2.0 * WATER_FIRST_NODE_WIDTH) * at;
-  let scaled = (q.past_scale.x + off) * (q.past_scale.y + off);
-  node.weight = width * exp(-0.5 * scaled) * (q.past_low + off);
-  // The binary logarithm of the width, which is close to 1.
-  node.sky_layer = q.sky_layer + (1.442695 / MIRRORED_LAYERS) * (width - 1.0);
+  node.width = WATER_FIRST_NODE_WIDTH + (2.0 - 2.0 * WATER_FIRST_NODE_WIDTH) * at;
+  let off = at * (0.5 * WATER_FIRST_NODE_WIDTH + 0.5 * node.width) * q.range;
+  node.tilt = q.from_t + off;
+  node.past_low = q.past_low + off;
+  node.weight = node.width * node.past_low * exp(-0.5 * (q.past_scale.x + off) * (q.past_scale.y + off));
   node.side_variance = q.side_variance;
-  node.slope = q.slope + (q.from_t + off) * q.slope_per_tilt;
   return node;
 }

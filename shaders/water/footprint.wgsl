@@ -8,7 +8,8 @@ struct WaterFootprint {
   across: vec2f,
   // Width of the pixel, m: its area divided by the length of its longer side.
   width_m: f32,
-  taps: i32,
+  // Whether the pixel is so much longer than wide that it is sampled twice, once in each half.
+  has_halves: bool,
   // Length of the longer side, m, at least the width that one sample filters over.
   length_m: f32,
   // Geometric mean of the length and of the width of one sample, m.
@@ -18,21 +19,21 @@ struct WaterFootprint {
   log_whole_texel_m: f32,
 }
 
-// Largest number of samples along a footprint.
-const WATER_MAX_TAPS = 2;
+// Length of a footprint from which it is sampled twice, relative to what one sample covers.
+const WATER_HALVES_FROM = 1.3;
 // Texel size at which a sample is read, relative to the length it covers: 1 / sqrt(3), because interpolation between
 // the texels of a mip level (a box and a tent) blurs as much as a box of sqrt(3) texels.
 const WATER_TAP_TEXEL_RATIO = 0.58;
 
-// Footprint with the longer side `axis`, m, and the shorter one `across`, m, whose `taps` samples cover `sample_m`
-// metres each.
+// Footprint with the longer side `axis`, m, and the shorter one `across`, m, of which each sample covers `sample_m`
+// metres.
 fn water_footprint_of_samples(
-  axis: vec2f, across: vec2f, length_m: f32, width_m: f32, sample_m: f32, taps: i32,
+  axis: vec2f, across: vec2f, length_m: f32, width_m: f32, sample_m: f32, has_halves: bool,
 ) -> WaterFootprint {
   let texel_m = WATER_TAP_TEXEL_RATIO * sample_m;
   let long_m = max(length_m, texel_m);
   return WaterFootprint(
-    axis, across, width_m, taps, long_m, sqrt(sample_m * long_m), log2(max(texel_m, 1e-6)),
+    axis, across, width_m, has_halves, long_m, sqrt(sample_m * long_m), log2(max(texel_m, 1e-6)),
     log2(max(WATER_TAP_TEXEL_RATIO * long_m, 1e-6)));
 }
 
@@ -43,16 +44,17 @@ fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   let large = max(x, y);
   // The area divided by the length is right even where the two sides are nearly parallel.
   let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
-  let taps = clamp(i32(ceil(large / small - 0.3)), 1, WATER_MAX_TAPS);
+  let has_halves = large > WATER_HALVES_FROM * small;
   let is_x = x > y;
   return water_footprint_of_samples(
-    select(dy, dx, is_x), select(dx, dy, is_x), large, small, max(small, large / f32(taps)), taps);
+    select(dy, dx, is_x), select(dx, dy, is_x), large, small, max(small, select(large, 0.5 * large, has_halves)),
+    has_halves);
 }
 
 // Footprint of one sample whose texels are `texel_m` metres wide.
 fn water_round_footprint(texel_m: f32) -> WaterFootprint {
   let width_m = texel_m / WATER_TAP_TEXEL_RATIO;
-  return water_footprint_of_samples(vec2f(0.0), vec2f(0.0), 0.0, width_m, width_m, 1);
+  return water_footprint_of_samples(vec2f(0.0), vec2f(0.0), 0.0, width_m, width_m, false);
 }
 
 // Footprint size, relative to the patch of a cascade, at which its slopes begin to fade into variance.
@@ -74,8 +76,8 @@ struct WaterSampling {
   slope_weight: f32,
   // Smoothness of the spline where the maps are magnified, 0 to 1; 0 elsewhere.
   spline_smoothness: f32,
-  // Number of samples of the gradients map along the footprint.
-  taps: i32,
+  // Whether the gradients map is sampled twice along the footprint.
+  has_halves: bool,
   // Mip levels of the gradients, of the displacement and of the moments map.
   slope_lod: f32,
   displacement_lod: f32,
@@ -89,16 +91,15 @@ fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
   var out: WaterSampling;
   out.slope_weight = maths_smooth((WATER_FADE_END - foot.mean_m * map.inverse_patch) * WATER_INVERSE_FADE);
   out.spline_smoothness = map.spline_smoothness * maths_smooth((1.25 - long) * (1.0 / 0.45));
-  // No more samples than are useful: interpolation between texels blurs as much as a box of 1.4 texels. The smoother
-  // moments take one, and so does the displacement, as its effect on the slope is of second order.
-  out.taps = clamp(i32(ceil(long / 1.4 - 0.3)), 1, foot.taps);
+  // A second sample is of use only if the footprint is longer than one sample, which blurs as much as a box of 1.4
+  // texels. The smoother moments take one, and so does the displacement, as its effect on the slope is of second order.
+  out.has_halves = foot.has_halves && long > 1.4 * WATER_HALVES_FROM;
   out.slope_lod = foot.log_texel_m + map.log_texels_per_m;
   out.displacement_lod = foot.log_whole_texel_m + map.log_texels_per_m;
   // The moments hold nothing finer than two texels; for smaller footprints they would count resolved waves twice. The
   // mip level from which they count is fitted to the sum of resolved and unresolved variance.
   let from_lod = clamp(out.slope_lod + 0.5, 0.0, 1.0);
   out.variance_weight = (1.0 - out.spline_smoothness * out.spline_smoothness) * from_lod;
-  let wider = f32(out.taps - 1);
-  out.moment_lod = min(out.slope_lod + wider, out.displacement_lod) - 1.0;
+  out.moment_lod = min(out.slope_lod - select(1.0, 0.0, out.has_halves), out.displacement_lod - 1.0);
   return out;
 }

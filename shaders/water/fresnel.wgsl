@@ -3,11 +3,11 @@
 // Whether Schlick's approximation replaces the exact reflectance.
 override WATER_SCHLICK: bool = false;
 
-// Fresnel reflectance of a dielectric for unpolarised light. `cosine` is that of the angle of incidence, `index` the
-// refractive index of the second medium relative to the first. Total reflection returns 1.
-fn water_dielectric(cosine: f32, index: f32) -> f32 {
-  let c = clamp(cosine, 0.0, 1.0);
-  let g2 = (index * index - 1.0) + c * c;
+// Fresnel reflectance of a dielectric for unpolarised light. `cosine` is that of the angle of incidence, `contrast` the
+// square of the refractive index of the second medium relative to the first, less 1. Total reflection returns 1.
+fn water_dielectric(cosine: f32, contrast: f32) -> f32 {
+  let c = saturate(cosine);
+  let g2 = contrast + c * c;
   if g2 <= 0.0 {
     return 1.0;
   }
@@ -25,16 +25,15 @@ fn water_dielectric(cosine: f32, index: f32) -> f32 {
 fn water_schlick(cosine: f32, index: f32) -> f32 {
   let r = (index - 1.0) / (index + 1.0);
   // pow(0, 0) is not defined.
-  return mix(r * r, 1.0, pow(max(1.0 - clamp(cosine, 0.0, 1.0), 1e-6), material.schlick_exponent));
+  return mix(r * r, 1.0, pow(max(1.0 - saturate(cosine), 1e-6), material.schlick_exponent));
 }
 
 // Fresnel reflectance of the water in air, with the formula and the scale of the material.
 fn water_fresnel(cosine: f32) -> f32 {
-  let index = material.relative_index;
   if WATER_SCHLICK {
-    return clamp(material.fresnel_scale * water_schlick(cosine, index), 0.0, 1.0);
+    return saturate(material.fresnel_scale * water_schlick(cosine, material.relative_index));
   }
-  return clamp(material.fresnel_scale * water_dielectric(cosine, index), 0.0, 1.0);
+  return saturate(material.fresnel_scale * water_dielectric(cosine, material.index_contrast));
 }
 
 // Fresnel reflectance of a facet with the slope `slope`, towards the direction `dir`.

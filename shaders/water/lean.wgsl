@@ -34,8 +34,7 @@ fn lean_visible_tilts(low: f32) -> vec3f {
 
 // Radiance of the sky in the direction to the eye, mirrored by a facet of the slope `slope`.
 fn lean_mirrored_sky(v: vec3f, slope: vec2f, layer: f32) -> vec3f {
-  let turn = 2.0 * (v.y - dot(v.xz, slope)) / (1.0 + dot(slope, slope));
-  return water_environment(turn * vec3f(-slope.x, 1.0, -slope.y) - v, layer);
+  return water_mirrored_sky(v, slope, v.y - dot(v.xz, slope), 1.0 + dot(slope, slope), layer);
 }
 
 // Fresnel reflectance of facets of the slope `slope`, which varies across the viewing direction.

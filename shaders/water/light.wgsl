@@ -57,8 +57,9 @@ struct WaterPixelSide {
 // The side of a pixel to the neighbour whose undisplaced position differs by `across`, m. At the edge of a wave the
 // neighbour shows another wave or the sky, so that the difference says little. No side is longer than `longest_m`.
 fn water_pixel_side(across: vec2f, longest_m: f32) -> WaterPixelSide {
-  let ratio = length(across) / max(longest_m, 1e-9);
-  return WaterPixelSide(across / max(ratio, 1.0), ratio < WATER_PIXEL_JUMP);
+  let square = dot(across, across);
+  let most_m = WATER_PIXEL_JUMP * longest_m;
+  return WaterPixelSide(across * min(longest_m * inverseSqrt(max(square, 1e-18)), 1.0), square < most_m * most_m);
 }
 
 struct LightFragment {

@@ -7,11 +7,6 @@ struct WaterMirror {
   reflectance: f32,
 }
 
-// Radiance of the sky mirrored in the direction `dir`, averaged over rays of the spread that has the given layer.
-fn water_environment(dir: vec3f, layer: f32) -> vec3f {
-  return textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(mirrored_sky_uv(dir), layer), 0.0).rgb;
-}
-
 // Reflected sky and sun. `v` points to the eye, in axes whose y is the local vertical.
 fn water_mirror(v: vec3f, surface: WaterSlope) -> WaterMirror {
   return water_mirror_among(v, surface, surface);
@@ -28,22 +23,29 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   }
   let eye = water_facets_towards(v, slope);
   let quadrature = water_quadrature(eye);
+  // Cosine between the direction to the eye and a facet's unscaled normal, per deviation of tilt past the lowest one.
+  let facing = eye.tilt.across * eye.tilt.sigma;
   let factor = material.fresnel_slope_factor;
   let factor_square = factor * factor;
   var sum = vec3f(0.0);
   var sum_f = 0.0;
   var weights = 0.0;
   for (var i = 0; i < quadrature.nodes; i++) {
-    let node = water_quadrature_node(quadrature, eye.tilt.sigma, i);
-    let along = dot(v.xz, node.slope);
-    let square = dot(node.slope, node.slope);
+    let node = water_quadrature_node(quadrature, i);
+    let square = quadrature.square.x + node.tilt * (quadrature.square.y + node.tilt * quadrature.square.z);
     // Slopes across the viewing direction lengthen the facet's unscaled normal, but not its part towards the eye.
     let steepness = factor_square * (square + node.side_variance);
-    let f = water_fresnel((v.y - factor * along) * inverseSqrt(1.0 + steepness));
-    // The direction to the eye, mirrored by the facet of normal n: 2 (v n) n - v.
-    let mirrored = (2.0 * (v.y - along) / (1.0 + square)) * vec3f(-node.slope.x, 1.0, -node.slope.y) - v;
-    let reflected = node.weight * f;
-    sum += reflected * water_environment(mirrored, node.sky_layer);
+    let towards_eye = facing * node.past_low;
+    let reflected = node.weight * water_fresnel(mix(v.y, towards_eye, factor) * inverseSqrt(1.0 + steepness));
+    var layer = quadrature.sky_layer;
+    if WATER_GGX {
+      layer = water_sky_layer(1.3 * node.width * eye.tilt.sigma * (1.0 + 0.5 * node.tilt * node.tilt) * quadrature.part);
+    } else {
+      // The binary logarithm of the width, which is close to 1.
+      layer += (1.442695 / MIRRORED_LAYERS) * (node.width - 1.0);
+    }
+    let slope_at = quadrature.slope + node.tilt * quadrature.slope_per_tilt;
+    sum += reflected * water_mirrored_sky(v, slope_at, towards_eye, 1.0 + square, layer);
     sum_f += reflected;
     weights += node.weight;
   }
@@ -52,6 +54,17 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   out.reflectance = sum_f / weights;
   out.radiance += water_glitter(v, slope, around, out.reflectance);
   return out;
+}
+
+// Radiance of the sky mirrored by a facet of slope `slope`, averaged over rays of the spread that has the given layer.
+// The facet's unscaled normal n = (-slope.x, 1, -slope.y) has the part `facing` towards the eye and the square
+// `length_square` of its length.
+fn water_mirrored_sky(v: vec3f, slope: vec2f, facing: f32, length_square: f32, layer: f32) -> vec3f {
+  // The mirrored ray is 2 (v n) n / n^2 - v. The table needs its horizontal part over 1 and its vertical part.
+  let twice = 2.0 * facing;
+  let over = MIRRORED_SCALE / max(length_square * (1.0 - v.y) + twice, 1e-6);
+  let uv = 0.5 - over * (twice * slope + length_square * v.xz);
+  return textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), layer), 0.0).rgb;
 }
 
 // Radiance reflected twice divided by that reflected once, by facets of the given mean reflectance. The fraction of

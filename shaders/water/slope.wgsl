@@ -46,19 +46,14 @@ fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, along: vec2f,
     out.mean = water_sample_spline(gradients_map, taps, map.layer);
     return out;
   }
-  let part = 1.0 / f32(sampling.taps);
-  let step = part * along;
-  var at = uv + 0.5 * (step - along);
-  let first = textureSampleLevel(gradients_map, trilinear_sampler, at, map.layer, sampling.slope_lod);
-  var last = first;
-  out.mean = first;
-  for (var k = 1; k < sampling.taps; k++) {
-    at += step;
-    last = textureSampleLevel(gradients_map, trilinear_sampler, at, map.layer, sampling.slope_lod);
-    out.mean += last;
+  // The middle of the first half, or of the whole footprint.
+  let first_uv = uv - select(0.0, 0.25, sampling.has_halves) * along;
+  out.mean = textureSampleLevel(gradients_map, trilinear_sampler, first_uv, map.layer, sampling.slope_lod);
+  if sampling.has_halves {
+    let last = textureSampleLevel(gradients_map, trilinear_sampler, uv + 0.25 * along, map.layer, sampling.slope_lod);
+    out.half_slope_difference = 0.5 * (last.xy - out.mean.xy);
+    out.mean = 0.5 * (out.mean + last);
   }
-  out.mean *= part;
-  out.half_slope_difference = part * (last.xy - first.xy);
   return out;
 }
 
@@ -77,7 +72,7 @@ fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFoo
   // Ripples add slopes, but no displacement. Where maps are minified, products of shears have a mean near 0.
   let has_shear = cascade < frame.cascade_count && sampling.displacement_lod < WATER_SHEAR_LOD;
   let first_uv = map.uv_below_eye + at * map.inverse_patch;
-  var next = tile_blend(map.tile_position, at);
+  var next = tile_blend(map.tile_position, at, has_shear);
   for (var i = 0u; i < TILE_COPIES; i++) {
     let blend = next;
     next = tile_next_copy(blend);

@@ -25,15 +25,19 @@ fn water_spline_taps(uv: vec2f, n: f32, smoothness: f32) -> WaterSplineTaps {
   let p = uv * n - 0.5;
   let base = floor(p);
   let f = p - base;
-  let w0 = smoothness * (f * (f * (1.0 - 0.5 * f) - 0.5));
-  let w2 = mix(f, f * (f * (2.0 - 1.5 * f) + 0.5), smoothness);
-  let w3 = smoothness * (f * f * (0.5 * f - 0.5));
-  let w12 = 1.0 - w0 - w3;
+  // The outer two of the four texels along an axis have the weights outer * (1 - f) and outer * f, and the inner two
+  // the rest, in which the second has f + outer * (1 - 3 * f).
+  let outer = (-0.5 * smoothness) * (f - f * f);
+  let inner = 1.0 - outer;
   let texel = 1.0 / n;
-  let over = 1.0 / (1.0 - (w0.x + w3.x) * (w0.y + w3.y));
+  let before = (base - 0.5) * texel;
+  let middle = before + ((f + outer * (1.0 - 3.0 * f)) / inner + 1.0) * texel;
+  let over = 1.0 / (1.0 - outer.x * outer.y);
+  let sides = (over * inner.yx) * outer;
+  let last = sides * f;
   return WaterSplineTaps(
-    (base - 0.5) * texel, (base + 0.5 + w2 / w12) * texel, (base + 2.5) * texel,
-    over * w12.x * w12.y, (over * w12.y) * vec2f(w0.x, w3.x), (over * w12.x) * vec2f(w0.y, w3.y));
+    before, middle, before + 3.0 * texel,
+    over * inner.x * inner.y, vec2f(sides.x - last.x, last.x), vec2f(sides.y - last.y, last.y));
 }
 
 // Value of mip level 0 of a map, from the five samples of a spline.

@@ -63,7 +63,7 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
     }
     let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
     let carried = select(0.0, water_carried_fraction(map, inverse_step), carries);
-    var next = tile_blend(map.tile_position, at);
+    var next = tile_blend(map.tile_position, at, carried > 0.0);
     for (var i = 0u; i < TILE_COPIES; i++) {
       let blend = next;
       next = tile_next_copy(blend);

@@ -41,11 +41,12 @@ fn water_add_slope_change(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along
 // Radiance towards the eye of a point of the water with the slope statistics `seen`; alpha as in frame_hdr_output.
 fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec4f {
   var slope = seen;
-  let distance_m = length(point.position);
-  let dir = point.position / distance_m;
+  let nearness = inverseSqrt(dot(point.position, point.position));
+  let dir = point.position * nearness;
   // Sine of the elevation of the eye as seen from the point, over the local horizon of the spherical Earth.
   let eye_sine = -dir.y - (1.0 / FRAME_EARTH_RADIUS_M) * dot(point.position.xz, dir.xz);
-  let v = normalize(vec3f(-dir.x, max(eye_sine, 1e-4), -dir.z));
+  // The vertical turns by so little over the Earth's curve that `v` stays a unit vector.
+  let v = vec3f(-dir.x, max(eye_sine, 1e-4), -dir.z);
   let n = water_normal(slope.mean);
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
@@ -84,10 +85,10 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
     }
   }
 
-  let air = air_to_point(dir, distance_m);
+  let air = air_to_point(dir, 1.0 / nearness);
   let colour = surface * air[1] + air[0];
   if WATER_POINT_SAMPLES {
     return vec4f(colour, water_sample_weight(v, slope, around));
   }
-  return frame_hdr_output(colour, 1.0 / distance_m);
+  return frame_hdr_output(colour, nearness);
 }

@@ -22,7 +22,7 @@ const ENVIRONMENT_SIZE: [u32; 2] = [256, 128];
 const ENVIRONMENT_MIP_LEVELS: u32 = 6;
 /// Size, texels, of the table of the mirrored sky: azimuth, elevation, and layers of growing spread
 /// (shaders/sky/mirrored_map.wgsl).
-const MIRRORED_SIZE: [u32; 3] = [128, 160, 6];
+const MIRRORED_SIZE: [u32; 3] = [128, 128, 6];
 /// Number of workgroups, of 64 threads each, that sum the light of the sky over directions (shaders/sky/light.wgsl).
 const LIGHT_WORKGROUPS: u32 = 4;
 /// Size, bytes, of the buffer with the partial sums of the sky's light: for each thread 16 bytes, which are an RGB

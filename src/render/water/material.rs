@@ -122,7 +122,9 @@ gpu_struct! {
         caustic_strength: f32,
         /// Half the shortest wavelength of waves that form distinct caustics on the bed, m; shorter detail is ignored.
         caustic_filter_m: f32,
-        unused: [u32; 2],
+        /// Square of `relative_index`, less 1.
+        index_contrast: f32,
+        unused: u32,
     }
 }
 
@@ -175,7 +177,8 @@ impl MaterialUniform {
             sky_reflection: reflection.sky_strength as f32,
             caustic_strength: bed.caustics as f32,
             caustic_filter_m: scene.sea.caustic_filter_m as f32,
-            unused: [0; 2],
+            index_contrast: ((reflection.index_water / reflection.index_air).powi(2) - 1.0) as f32,
+            unused: 0,
         }
     }
 }
