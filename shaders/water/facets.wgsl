@@ -151,7 +151,7 @@ struct WaterQuadratureNode {
 // Layer of the mirrored sky for an interval of slopes: an even distribution over the interval has a deviation of
 // interval / sqrt(12), and a slope turns the mirrored ray by twice its angle.
 fn water_sky_layer(interval: f32) -> f32 {
-  return mirrored_sky_layer(0.5 * interval);
+  return mirrored_sky_layer(0.4 * interval);
 }
 
 fn water_quadrature(f: WaterFacets) -> WaterQuadrature {

@@ -19,11 +19,9 @@ const FOAM_AGED_ALBEDO_RATIO = 0.42;
 const FOAM_MIN_AMOUNT = 0.002;
 // Sum of the resolved fractions of the variance of patches and strands, below which one sample of them is enough.
 const FOAM_MIN_RESOLVED = 0.05;
-// Largest number of samples of the foam maps along a pixel's footprint.
-const FOAM_MAX_MAP_TAPS = 2;
-// Largest number of samples of the foam noise along a pixel's footprint.
-const FOAM_MAX_NOISE_TAPS = 4;
-// Length over which the finest noise changes, m.
+// Fraction of a noise layer's variance below which the layer counts as even, at its mean of 0.5.
+const FOAM_MIN_LAYER_VARIANCE = 0.02;
+// Length over which the finest noise changes, m. Longer pixels have two samples.
 const FOAM_FINEST_DETAIL_M = 0.02;
 
 // Appearance of the foam in a pixel.
@@ -42,28 +40,29 @@ struct FoamAppearance {
 // than it; beyond all levels, their means.
 fn foam_level(at: vec2f, pixel: WaterFootprint) -> vec2f {
   let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
-  // One sample per cell of the finest level along the pixel.
-  let taps = clamp(i32(ceil(pixel.length_m * frame.foam_levels[0].inverse_cell)), 1, FOAM_MAX_MAP_TAPS);
-  let step = pixel.axis / f32(taps);
-  let first = at + 0.5 * (step - pixel.axis);
+  let half_axis = 0.5 * abs(pixel.axis);
+  // Two samples if the pixel is longer than a cell of the finest level.
+  let has_halves = pixel.length_m * frame.foam_levels[0].inverse_cell > 1.0;
   var foam = vec2f(0.0);
   var left = 1.0;
   for (var level = 0u; level < frame.foam_level_count && left > 0.0; level++) {
     let map = frame.foam_levels[level];
-    let off = abs(at - map.centre) + 0.5 * abs(pixel.axis);
-    let inside = clamp(5.0 - 5.0 * max(off.x, off.y) / map.half_side_m, 0.0, 1.0);
-    let coarse = clamp(2.0 - 0.5 * whole_m * map.inverse_cell, 0.0, 1.0);
+    let off = abs(at - map.centre) + half_axis;
+    let inside = saturate(5.0 - 5.0 * max(off.x, off.y) * map.inverse_half_side);
+    let coarse = saturate(2.0 - 0.5 * whole_m * map.inverse_cell);
     let share = left * inside * coarse;
     if share <= 0.0 {
       continue;
     }
-    var uv = map.uv_below_eye + first * map.inverse_side;
-    var sum = vec2f(0.0);
-    for (var i = 0; i < taps; i++) {
-      sum += textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
-      uv += step * map.inverse_side;
+    let uv = map.uv_below_eye + at * map.inverse_side;
+    if has_halves {
+      let half = (0.25 * map.inverse_side) * pixel.axis;
+      let first = textureSampleLevel(foam_map, nearest_mip_sampler, uv - half, level, 0.0).xy;
+      let last = textureSampleLevel(foam_map, nearest_mip_sampler, uv + half, level, 0.0).xy;
+      foam += (0.5 * share) * (first + last);
+    } else {
+      foam += share * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
     }
-    foam += (share / f32(taps)) * sum;
     left -= share;
   }
   foam += (left * frame.mean_foam) * vec2f(1.0, 0.1);
@@ -93,10 +92,10 @@ fn foam_normal_quantile(share: f32) -> f32 {
 // Appearance of foam in a pixel. `level` holds the amount of foam (x) and of its current source (y), 0 to 1.
 fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppearance {
   let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
-  var taps = clamp(i32(ceil(pixel.length_m / FOAM_FINEST_DETAIL_M)), 1, FOAM_MAX_NOISE_TAPS);
-  var share = 1.0 / f32(taps);
+  var has_halves = pixel.length_m > FOAM_FINEST_DETAIL_M;
   // Each sample covers its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one is enough.
-  let size = WATER_TAP_TEXEL_RATIO * max(sqrt(pixel.width_m * pixel.length_m * share), pixel.length_m * share);
+  let part_m = pixel.length_m * select(1.0, 0.5, has_halves);
+  let size = WATER_TAP_TEXEL_RATIO * sqrt(part_m * max(pixel.width_m, part_m));
   let logs = log2(max(vec3f(WATER_TAP_TEXEL_RATIO * pixel.length_m, size, whole_m), vec3f(1e-6)));
   let densities = vec4f(
     material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m,
@@ -106,12 +105,16 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
   let lods = logs.xyyz + densities;
   let kept = material_variance_left(lods);
   // Where the pixel resolves neither patches nor strands, all samples are alike.
-  if kept.y + kept.z < FOAM_MIN_RESOLVED {
-    taps = 1;
-    share = 1.0;
+  let is_resolved = kept.y + kept.z >= FOAM_MIN_RESOLVED;
+  has_halves = has_halves && is_resolved;
+  var windrows = 0.5;
+  if kept.x > FOAM_MIN_LAYER_VARIANCE {
+    windrows = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b;
   }
-  let windrows = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b;
-  let bubbles = material_noise(FOAM_BUBBLE_LAYER, at, lods.w).g;
+  var bubbles = 0.5;
+  if kept.w > FOAM_MIN_LAYER_VARIANCE {
+    bubbles = material_noise(FOAM_BUBBLE_LAYER, at, lods.w).g;
+  }
   // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
   let fresh = smoothstep(0.0, 0.45, level.y);
   // A sum of uniform variables is nearly normal. Its part that the pixel does not resolve softens the edge, so that the
@@ -133,12 +136,17 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
   let usual = mix(0.66 + 0.19 * bare * bare, 0.5 + 0.36 * bare, fresh);
   var out: FoamAppearance;
   var covered = 0.0;
-  for (var i = 0; i < taps; i++) {
-    // Samples have even steps along the pixel and follow the golden ratio across it.
-    let k = f32(i) - 0.5 * f32(taps - 1);
-    let tap = at + pixel.axis * (k * share) + pixel.across * (fract(0.5 + 0.618034 * k) - 0.5);
-    let patches = material_noise(FOAM_PATCH_LAYER, tap, lods.y).r;
-    let strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z).r;
+  // Two samples lie in the two halves, and on both sides of the pixel's axis.
+  let step = select(vec2f(0.0), 0.25 * pixel.axis + 0.31 * pixel.across, has_halves);
+  var tap = at - step;
+  for (var i = 0; i < select(1, 2, has_halves); i++) {
+    var patches = 0.5;
+    var strands = 0.5;
+    if is_resolved {
+      patches = material_noise(FOAM_PATCH_LAYER, tap, lods.y).r;
+      strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z).r;
+    }
+    tap += 2.0 * step;
     let z = dot(vec4f(windrows, patches, strands, bubbles) - 0.5, weight_of_deviation);
     let cut = foam_normal_cdf((z + edge) * sharp);
     let strand = 2.0 * foam_normal_cdf((0.65 * strands + 0.35 * patches - 0.65) * thickens) / thick;
@@ -148,6 +156,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
   }
   let bubble_slope = FOAM_BUBBLE_SLOPE_SIGMA * material.foam_relief;
   out.rough = bubble_slope * bubble_slope * (1.0 - kept.w);
+  let share = select(1.0, 0.5, has_halves);
   out.cover *= share;
   out.grain = 0.5 + kept.w * out.grain * share;
   let lumps_lod = logs.z + densities.z;

@@ -112,7 +112,7 @@ fn lean_foam_level(at: vec2f, foot: LeanFootprint) -> vec2f {
   for (var level = 0u; level < frame.foam_level_count; level++) {
     let map = frame.foam_levels[level];
     let off = abs(at - map.centre);
-    if max(off.x, off.y) < map.half_side_m && texel_m * map.inverse_cell < 3.0 {
+    if max(off.x, off.y) * map.inverse_half_side < 1.0 && texel_m * map.inverse_cell < 3.0 {
       let uv = map.uv_below_eye + at * map.inverse_side;
       foam = textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
       break;

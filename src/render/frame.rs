@@ -69,8 +69,9 @@ gpu_struct! {
     pub struct FrameFoamGrid as "FrameFoamGrid" {
         /// Centre (x, z) of the foam level's square relative to the point below the eye, m.
         pub centre: [f32; 2],
-        /// Half the side, m, of the square in which shaders read this level; it leaves out two cells at each edge.
-        pub half_side_m: f32,
+        /// Reciprocal, 1/m, of half the side of the square in which shaders read this level; the square leaves out two
+        /// cells at each edge.
+        pub inverse_half_side: f32,
         /// Reciprocal of the side of a foam cell, 1/m.
         pub inverse_cell: f32,
         /// Texture coordinates (u, v), 0 to 1, of the point below the eye, in this level's layer of the foam map.
@@ -195,7 +196,7 @@ impl FrameFoamGrid {
         let side_m = f64::from(cells) * level.cell_m;
         Self {
             centre: [0, 1].map(|axis| (level.centre_m[axis] - below_eye[axis]) as f32),
-            half_side_m: (0.5 * side_m - 2.0 * level.cell_m) as f32,
+            inverse_half_side: (0.5 * side_m - 2.0 * level.cell_m).recip() as f32,
             inverse_cell: (1.0 / level.cell_m) as f32,
             uv_below_eye: below_eye.map(|x| (x / side_m).rem_euclid(1.0) as f32),
             inverse_side: (1.0 / side_m) as f32,
