@@ -125,23 +125,31 @@ fn tone_compressed_sample(uv: vec2f, exposure: f32) -> vec3f {
 
 // Smallest step in distance that counts as an edge, m; less is one surface, whatever its slope.
 const TONE_MIN_EDGE_M = 1.5;
+// The same, relative to the distance.
+const TONE_MIN_EDGE = 0.05;
 
 // Exposed light of the pixel around `uv`, with edges smoothed along their direction after FXAA by Timothy Lottes
 // (2009). Crests and the horizon need it, at one sample per pixel. Foam and glitter lie on one surface and are filtered
-// already: only where the distance has an edge is more than the distance of the diagonal neighbours looked at.
+// already: only where the distance has an edge are the diagonal neighbours looked at.
 fn tone_edges_smoothed(hdr: vec4f, at: vec2i, uv: vec2f, exposure: f32) -> vec3f {
   let exposed = hdr.rgb * exposure;
+  // Each gather returns the distances of four neighbours: west, here, north, north-west, and south, south-east, east,
+  // here. Alpha is 1 + 1e4 / distance (frame.wgsl).
+  let half_pixel = 0.5 / tone.size;
+  let before = textureGather(3, hdr_map, hdr_sampler, uv - half_pixel);
+  let after = textureGather(3, hdr_map, hdr_sampler, uv + half_pixel);
+  let bends = abs(before.xzw + after.zxy - 2.0 * hdr.a);
+  // The bend is compared with the change of alpha over the smallest step in distance that counts.
+  let nearness = hdr.a - 1.0;
+  if max(bends.x, max(bends.y, bends.z)) <= nearness * max(1e-4 * TONE_MIN_EDGE_M * nearness, TONE_MIN_EDGE) {
+    return exposed;
+  }
   let low_at = max(at - 1, vec2i(0));
   let high_at = min(at + 1, vec2i(tone.size) - 1);
   let nw = textureLoad(hdr_map, low_at, 0);
   let ne = textureLoad(hdr_map, vec2i(high_at.x, low_at.y), 0);
   let sw = textureLoad(hdr_map, vec2i(low_at.x, high_at.y), 0);
   let se = textureLoad(hdr_map, high_at, 0);
-  // Alpha is 1 + 1e4 / distance (frame.wgsl). Its bend is compared with its change over a step of TONE_MIN_EDGE_M.
-  let bend = max(abs(nw.a + se.a - 2.0 * hdr.a), abs(ne.a + sw.a - 2.0 * hdr.a));
-  if bend < 1e-4 * TONE_MIN_EDGE_M * (hdr.a - 1.0) * (hdr.a - 1.0) {
-    return exposed;
-  }
   let here = tone_compressed_luminance(hdr, exposure);
   // Luminances of the diagonal neighbours: nw, ne, sw, se.
   let l = vec4f(
