@@ -59,7 +59,7 @@ fn maths_atan2_upper(y: f32, x: f32) -> f32 {
 
 // 0 for x <= 0, 1 for x >= 1, with a smooth step between: smoothstep without its division.
 fn maths_smooth(x: f32) -> f32 {
-  let t = clamp(x, 0.0, 1.0);
+  let t = saturate(x);
   return t * t * (3.0 - 2.0 * t);
 }
 

@@ -34,7 +34,7 @@ fn tile_blend(position: TileLatticePosition, at: vec2f, wants_derivatives: bool)
   out.weight = w * norm;
   out.cell_x = cell.x + select(vec3i(0, 1, 0), vec3i(1, 0, 1), upper);
   out.cell_z = cell.y + select(vec3i(0, 0, 1), vec3i(1, 1, 0), upper);
-  if position.blends_copies == 0u {
+  if position.shift_step == 0.0 {
     out.weight = vec3f(1.0, 0.0, 0.0);
   } else if wants_derivatives {
     // Half the derivatives of w: the barycentric coordinates have the gradients (-1, -1), (1, 0) and (0, 1) in the lower
@@ -61,6 +61,5 @@ fn tile_weight_gradient(position: TileLatticePosition, blend: TileBlend) -> vec2
 // Shift of the current copy in texture coordinates: a multiple of 1/64, which is a whole number of texels for every n.
 fn tile_copy_shift(position: TileLatticePosition, blend: TileBlend) -> vec2f {
   let cell = vec4u(bitcast<u32>(blend.cell_x.x), bitcast<u32>(blend.cell_z.x), position.shift_key, 0u);
-  let hash = noise_pcg4d(cell).xy >> vec2u(26u);
-  return select(vec2f(0.0), vec2f(hash) * 0.015625, position.blends_copies != 0u);
+  return vec2f(noise_pcg4d(cell).xy >> vec2u(26u)) * position.shift_step;
 }

@@ -57,13 +57,13 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let known = all(before >= vec2i(0)) && all(before < vec2i(size));
   let cell_m = foam.levels[level].cell_m;
   let j = foam_jacobian(level, (vec2f(ahead) + 0.5) * cell_m);
-  let source = clamp((foam.levels[level].jacobian_threshold - j) * foam.levels[level].source_slope, 0.0, 1.0);
+  let source = saturate((foam.levels[level].jacobian_threshold - j) * foam.levels[level].source_slope);
 
   let at = (level * foam.cells_per_side + id.y) * foam.cells_per_side + id.x;
   let old = select(foam.levels[level].initial_foam, history[at], known);
   let loss = foam.growth_per_s * source + foam.decay_per_s;
   let goal = foam.growth_per_s * source / loss;
-  let now = clamp(goal + (old - goal) * maths_exp(-loss * foam.dt_s), 0.0, 1.0);
+  let now = saturate(goal + (old - goal) * maths_exp(-loss * foam.dt_s));
   history[at] = now;
   textureStore(foam_out, id.xy, level, vec4f(now, source, 0.0, 0.0));
 }

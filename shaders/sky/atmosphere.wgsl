@@ -111,7 +111,7 @@ fn atm_altitude_along_ray(h: f32, mu: f32, t: f32) -> f32 {
 
 // Texture coordinate for x in [0, 1] in a table of n texels: from the centre of the first texel to that of the last.
 fn atm_table_coordinate(x: f32, n: f32) -> f32 {
-  return (clamp(x, 0.0, 1.0) * (n - 1.0) + 0.5) / n;
+  return (saturate(x) * (n - 1.0) + 0.5) / n;
 }
 
 // Size of the transmittance table, texels.
@@ -122,7 +122,7 @@ fn atm_transmittance(map: texture_2d<f32>, s: sampler, h: f32, mu: f32, radius: 
   let dip = atm_horizon_dip(h);
   let above = atm_asin(mu) + dip;
   let u = sqrt(max(above, 0.0) / (0.5 * ATM_PI + dip));
-  let v = sqrt(clamp(h / ATM_TOP_KM, 0.0, 1.0));
+  let v = sqrt(saturate(h / ATM_TOP_KM));
   let size = ATM_TRANSMITTANCE_TABLE_SIZE;
   let uv = vec2f(atm_table_coordinate(u, size.x), atm_table_coordinate(v, size.y));
   // The sun's disc sets gradually.

@@ -55,7 +55,7 @@ fn sky_radiance(dir: vec3f, above: f32, pixel: f32, drift: vec2f) -> vec4f {
   // Few clouds are only the peaks of the noise; a full deck is all of it.
   let low = mix(0.82, -0.05, o);
   let cover = smoothstep(low, low + 0.22, n);
-  let thick = clamp((n - low) / 0.75, 0.0, 1.0);
+  let thick = saturate((n - low) / 0.75);
   // Sunlight through the thin edge of a cloud, and an underside that fades from lit to grey as the cloud thickens.
   let nu = dot(dir, sky.sun_direction);
   let glow = light.sun_irradiance * (0.35 * atm_aerosol_phase(nu)) * (1.0 - thick) * (1.0 - thick) * (1.0 - o);

@@ -10,7 +10,7 @@
 // Brightness of the night sky relative to the zenith, at the elevation with sine `mu`. Airglow is brighter low in the
 // sky, where the view passes through more of it. Rounding can make `mu` exceed 1.
 fn view_night_sky_brightness(mu: f32) -> f32 {
-  let low = clamp(1.0 - mu, 0.0, 1.0);
+  let low = saturate(1.0 - mu);
   return 1.0 + 1.2 * low * low * low;
 }
 

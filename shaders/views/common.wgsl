@@ -5,7 +5,7 @@ fn view_scale_position(value: f32, tile: ViewTile) -> f32 {
   let even = (value - tile.scale_low) / (tile.scale_high - tile.scale_low);
   let log_low = log2(max(tile.scale_low, 1e-30));
   let decades = (log2(max(value, 1e-30)) - log_low) / (log2(max(tile.scale_high, 1e-30)) - log_low);
-  return clamp(select(even, decades, view.logarithmic != 0u), 0.0, 1.0);
+  return saturate(select(even, decades, view.logarithmic != 0u));
 }
 
 // Colour of a value in the scale of a tile. Alpha is 0 for NaN and infinity, which show.wgsl then paints magenta.

@@ -74,7 +74,7 @@ fn water_crest_transmittance(rise: f32, jacobian: f32, plume: f32) -> vec3f {
 
 // Light through the back of a crest. `rise` is the height above the mean level divided by the significant wave height.
 fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
-  let squeezed = clamp(1.6 - jacobian, 0.0, 1.0);
+  let squeezed = saturate(1.6 - jacobian);
   let thin = smoothstep(-0.05, 0.55, rise) * squeezed;
   if thin <= 0.01 || frame.sun_direction.y <= -0.02 {
     return vec3f(0.0);
@@ -87,6 +87,6 @@ fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f
   let through = water_crest_transmittance(rise, jacobian, plume);
   let sun = light.sun_irradiance * (entry * (1.0 - water_fresnel(entry)) * phase);
   // The bright sky behind the crest shines through it, too.
-  let sky = light.sky_irradiance * (0.25 * clamp(1.0 + ray.y, 0.0, 1.0) / ATM_PI);
+  let sky = light.sky_irradiance * (0.25 * saturate(1.0 + ray.y) / ATM_PI);
   return (sun + sky) * through * (material.crest_transmission * thin);
 }

@@ -181,9 +181,8 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
   return q;
 }
 
-// Node i of a quadrature.
-fn water_quadrature_node(q: WaterQuadrature, i: i32) -> WaterQuadratureNode {
-  let at = (f32(i) + 0.5) * q.part;
+// The node that lies at the fraction `at` of a quadrature.
+fn water_quadrature_node(q: WaterQuadrature, at: f32) -> WaterQuadratureNode {
   var node: WaterQuadratureNode;
   if WATER_GGX {
     // The visible area beyond the slope alpha tan(a) is (r cos(a + phi) + c) / 2. Nodes are steps of this area, finer

@@ -150,7 +150,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
     let z = dot(vec4f(windrows, patches, strands, bubbles) - 0.5, weight_of_deviation);
     let cut = foam_normal_cdf((z + edge) * sharp);
     let strand = 2.0 * foam_normal_cdf((0.65 * strands + 0.35 * patches - 0.65) * thickens) / thick;
-    out.cover += clamp(cut * mix(FOAM_AGED_ALBEDO_RATIO * strand, 1.0, fresh), 0.0, 1.0);
+    out.cover += saturate(cut * mix(FOAM_AGED_ALBEDO_RATIO * strand, 1.0, fresh));
     out.grain += 0.6 * strands + 0.4 * bubbles - usual;
     covered += cut;
   }

@@ -90,7 +90,7 @@ fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
   let long = foot.length_m * map.texels_per_m;
   var out: WaterSampling;
   out.slope_weight = maths_smooth((WATER_FADE_END - foot.mean_m * map.inverse_patch) * WATER_INVERSE_FADE);
-  out.spline_smoothness = map.spline_smoothness * maths_smooth((1.25 - long) * (1.0 / 0.45));
+  out.spline_smoothness = map.spline_smoothness * maths_smooth((1.0 - long) * (1.0 / 0.45));
   // A second sample is of use only if the footprint is longer than one sample, which blurs as much as a box of 1.4
   // texels. The smoother moments take one, and so does the displacement, as its effect on the slope is of second order.
   out.has_halves = foot.has_halves && long > 1.4 * WATER_HALVES_FROM;
@@ -98,7 +98,7 @@ fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
   out.displacement_lod = foot.log_whole_texel_m + map.log_texels_per_m;
   // The moments hold nothing finer than two texels; for smaller footprints they would count resolved waves twice. The
   // mip level from which they count is fitted to the sum of resolved and unresolved variance.
-  let from_lod = clamp(out.slope_lod + 0.5, 0.0, 1.0);
+  let from_lod = saturate(out.slope_lod + 0.5);
   out.variance_weight = (1.0 - out.spline_smoothness * out.spline_smoothness) * from_lod;
   out.moment_lod = min(out.slope_lod - select(1.0, 0.0, out.has_halves), out.displacement_lod - 1.0);
   return out;

@@ -4,21 +4,21 @@
 override WATER_SCHLICK: bool = false;
 
 // Fresnel reflectance of a dielectric for unpolarised light. `cosine` is that of the angle of incidence, `contrast` the
-// square of the refractive index of the second medium relative to the first, less 1. Total reflection returns 1.
-fn water_dielectric(cosine: f32, contrast: f32) -> f32 {
+// square of the refractive index of the second medium relative to the first, less 1, and the reciprocal of that
+// difference, or 0 for media of equal index. Total reflection returns 1.
+fn water_dielectric(cosine: f32, contrast: vec2f) -> f32 {
   let c = saturate(cosine);
-  let g2 = contrast + c * c;
+  let g2 = contrast.x + c * c;
   if g2 <= 0.0 {
     return 1.0;
   }
   let g = sqrt(g2);
-  // Both polarisations over one denominator; the limit avoids 0 / 0 for grazing light between media of equal index.
   let up = g - c;
   let down = g + c;
-  let p = c * down - 1.0;
-  let s = c * up + 1.0;
-  let over = max(down * s, 1e-6);
-  return 0.5 * up * up * (s * s + p * p) / (over * over);
+  // Amplitude of the light that is polarised across the plane of incidence, up / down, and the other one relative to it.
+  let across = up * up * contrast.y;
+  let along = (c * down - 1.0) / (c * up + 1.0);
+  return 0.5 * across * across * (1.0 + along * along);
 }
 
 // Schlick's approximation of the Fresnel reflectance (1994), with a parameter in place of its exponent 5.

@@ -34,7 +34,7 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let around = light.sky_irradiance * up + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
   // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);
-  let sheen = 0.04 + 0.96 * pow(clamp(1.0 + dot(dir, n), 0.0, 1.0), 5.0);
+  let sheen = 0.04 + 0.96 * pow(saturate(1.0 + dot(dir, n)), 5.0);
   let sky_there = light.sky_irradiance * (0.32 * (0.5 + 0.5 * mirror.y));
   let half = normalize(frame.sun_direction - dir);
   let glint = 0.04 * 20.0 * pow(max(dot(n, half), 0.0), 160.0) * sun;

@@ -62,7 +62,7 @@ fn lean_glitter(v: vec3f, slope: WaterSlope, seen: vec2f) -> vec3f {
   let h = normalize(between);
   let lit = water_tilt_projected_area(water_tilt_towards(l, slope));
   let h2 = h.y * h.y;
-  let f = material.glitter_strength * clamp(material.glitter_fresnel_scale * water_fresnel(dot(v, h)), 0.0, 1.0);
+  let f = material.glitter_strength * saturate(material.glitter_fresnel_scale * water_fresnel(dot(v, h)));
   // As water_masking_shadowing, but limited: without the slopes of both halves of the pixel, a mean facet that is
   // turned away from the sun does not tell that all are.
   let shadow = clamp(lit.x / max(lit.y, 1e-6) - 1.0, 0.0, LEAN_MOST_SHADOW);
@@ -149,7 +149,7 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, level: vec2f) -> FoamAppearance {
 // Light through the back of a crest (as water_crest_radiance). `rise` is the height above the mean level divided by the
 // significant wave height.
 fn lean_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
-  let thin = maths_smooth((rise + 0.05) * (1.0 / 0.6)) * clamp(1.6 - jacobian, 0.0, 1.0);
+  let thin = maths_smooth((rise + 0.05) * (1.0 / 0.6)) * saturate(1.6 - jacobian);
   if thin <= 0.1 {
     return vec3f(0.0);
   }
@@ -158,7 +158,7 @@ fn lean_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f3
   let phase = atm_henyey_greenstein(dot(l, ray), WATER_CREST_MEAN_COSINE);
   let through = water_crest_transmittance(rise, jacobian, plume);
   let sun = light.sun_irradiance * (step(-0.02, l.y) * entry * phase);
-  let sky = light.sky_irradiance * (0.25 / ATM_PI * clamp(1.0 + ray.y, 0.0, 1.0));
+  let sky = light.sky_irradiance * (0.25 / ATM_PI * saturate(1.0 + ray.y));
   return (sun + sky) * through * (material.crest_transmission * thin);
 }
 

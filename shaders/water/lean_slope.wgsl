@@ -23,7 +23,7 @@ fn lean_footprint(long_m: f32, wide_m: f32) -> LeanFootprint {
 
 // Shift, in texture coordinates, of the copy of a patch that weighs most at a point (tile_blend in tiles.wgsl).
 fn lean_copy_shift(position: TileLatticePosition, at: vec2f) -> vec2f {
-  if position.blends_copies == 0u {
+  if position.shift_step == 0.0 {
     return vec2f(0.0);
   }
   let q = position.fraction + vec2f(dot(position.gradient_u, at), dot(position.gradient_v, at));
@@ -35,7 +35,7 @@ fn lean_copy_shift(position: TileLatticePosition, at: vec2f) -> vec2f {
   corner = select(corner, vec2i(0), max(rest.x, rest.y) + sum < 1.0);
   corner = select(corner, vec2i(1), min(rest.x, rest.y) + sum > 2.0);
   let cell = bitcast<vec2u>(position.cell + vec2i(whole) + corner);
-  return vec2f(noise_pcg4d(vec4u(cell, position.shift_key, 0u)).xy >> vec2u(26u)) * 0.015625;
+  return vec2f(noise_pcg4d(vec4u(cell, position.shift_key, 0u)).xy >> vec2u(26u)) * position.shift_step;
 }
 
 // Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold.
@@ -49,7 +49,7 @@ fn lean_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: LeanFootp
   (*out).sums.slope += own * gradients.xy;
   (*out).sums.stretch += own * gradients.zw;
   // As in water_sampling: the moments hold nothing finer than two texels.
-  let counted = clamp(lod + 0.5, 0.0, 1.0) * map.variance_factor;
+  let counted = saturate(lod + 0.5) * map.variance_factor;
   if counted > 0.0 {
     (*out).variance += counted * water_unresolved_covariance(map, uv, lod - 1.0, gradients.xy);
   }

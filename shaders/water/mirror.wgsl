@@ -27,16 +27,20 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   let facing = eye.tilt.across * eye.tilt.sigma;
   let factor = material.fresnel_slope_factor;
   let factor_square = factor * factor;
+  let unscaled = v.y * (1.0 - factor);
   var sum = vec3f(0.0);
   var sum_f = 0.0;
   var weights = 0.0;
+  var at = 0.5 * quadrature.part;
   for (var i = 0; i < quadrature.nodes; i++) {
-    let node = water_quadrature_node(quadrature, i);
+    let node = water_quadrature_node(quadrature, at);
+    at += quadrature.part;
     let square = quadrature.square.x + node.tilt * (quadrature.square.y + node.tilt * quadrature.square.z);
     // Slopes across the viewing direction lengthen the facet's unscaled normal, but not its part towards the eye.
-    let steepness = factor_square * (square + node.side_variance);
+    let scaled_square = 1.0 + factor_square * (square + node.side_variance);
     let towards_eye = facing * node.past_low;
-    let reflected = node.weight * water_fresnel(mix(v.y, towards_eye, factor) * inverseSqrt(1.0 + steepness));
+    let cosine = (unscaled + factor * towards_eye) * inverseSqrt(scaled_square);
+    let reflected = node.weight * water_fresnel(cosine);
     var layer = quadrature.sky_layer;
     if WATER_GGX {
       layer = water_sky_layer(1.3 * node.width * eye.tilt.sigma * (1.0 + 0.5 * node.tilt * node.tilt) * quadrature.part);
@@ -96,11 +100,17 @@ const WATER_NO_GLITTER_SQUARE = 32.0;
 // facets.
 fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance: f32) -> vec3f {
   let l = frame.sun_direction;
-  let h = normalize(l + v);
-  if l.y <= -0.02 || h.y <= 0.01 {
+  let between = l + v;
+  if l.y <= -0.02 || between.y <= 0.01 {
     return vec3f(0.0);
   }
-  let mirror_slope = -h.xz / h.y;
+  // No slope is more likely than if its direction had the variance of both together.
+  let mirror_slope = -between.xz / between.y;
+  let nearest = max(length(mirror_slope - surface.mean) - length(surface.half_slope_difference), 0.0);
+  let most_variance = surface.variance.x + surface.variance.y + 2.0 * frame.sun_slope_variance;
+  if !WATER_GGX && !WATER_PHONG && nearest * nearest >= WATER_NO_GLITTER_SQUARE * most_variance {
+    return vec3f(0.0);
+  }
   // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
   // Halves that are nearly alike count as one.
   var half = surface.half_slope_difference;
@@ -121,11 +131,12 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
   if !WATER_GGX && !WATER_PHONG && min(squares.x, squares.y) >= WATER_NO_GLITTER_SQUARE {
     return vec3f(0.0);
   }
+  let h = normalize(between);
   var f = water_fresnel(dot(v, h));
   if material.fresnel_slope_factor != 1.0 {
     f = water_facet_fresnel(v, mirror_slope);
   }
-  let strength = material.glitter_strength * clamp(material.glitter_fresnel_scale * f, 0.0, 1.0);
+  let strength = material.glitter_strength * saturate(material.glitter_fresnel_scale * f);
   if WATER_POINT_SAMPLES {
     let eye = water_tilt_towards(v, others);
     let lit = water_tilt_towards(l, others);

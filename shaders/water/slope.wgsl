@@ -39,10 +39,13 @@ struct WaterGradientMean {
 }
 
 // Gradients of a cascade at texture coordinates, averaged over the footprint, whose longer side is `along` there.
-fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, along: vec2f, uv: vec2f) -> WaterGradientMean {
+// `smoothness` is that of the spline between texels, or 0.
+fn water_gradient_mean(
+  map: FrameCascade, sampling: WaterSampling, smoothness: f32, along: vec2f, uv: vec2f,
+) -> WaterGradientMean {
   var out: WaterGradientMean;
-  if sampling.spline_smoothness > 0.0 {
-    let taps = water_spline_taps(uv, frame.n, sampling.spline_smoothness);
+  if smoothness > 0.0 {
+    let taps = water_spline_taps(uv, frame.n, smoothness);
     out.mean = water_sample_spline(gradients_map, taps, map.layer);
     return out;
   }
@@ -60,6 +63,12 @@ fn water_gradient_mean(map: FrameCascade, sampling: WaterSampling, along: vec2f,
 // Mip level of the displacement map from which shears, and the change of weights between copies, are left out.
 const WATER_SHEAR_LOD = 1.0;
 
+// Weight of a copy of a patch below which it is left out; it is whole from twice this weight. Few pixels then look at
+// more than one copy.
+const WATER_LEAST_COPY_WEIGHT = 0.1;
+// Weight of a copy of a patch from which it is interpolated by a spline.
+const WATER_SPLINE_COPY_WEIGHT = 0.5;
+
 // Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold.
 fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFootprint, cascade: u32, carried: f32) {
   let map = frame.cascades[cascade];
@@ -76,12 +85,16 @@ fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFoo
   for (var i = 0u; i < TILE_COPIES; i++) {
     let blend = next;
     next = tile_next_copy(blend);
-    let weight = blend.weight.x;
+    var weight = blend.weight.x;
+    if !WATER_POINT_SAMPLES {
+      weight *= saturate(weight * (1.0 / WATER_LEAST_COPY_WEIGHT) - 1.0);
+    }
     if weight <= 0.0 {
       continue;
     }
     let uv = first_uv + tile_copy_shift(map.tile_position, blend);
-    let gradients = water_gradient_mean(map, sampling, along, uv);
+    let smoothness = select(0.0, sampling.spline_smoothness, weight > WATER_SPLINE_COPY_WEIGHT);
+    let gradients = water_gradient_mean(map, sampling, smoothness, along, uv);
     if has_shear {
       let d = textureSampleLevel(displacement_map, nearest_mip_sampler, uv, map.layer, sampling.displacement_lod);
       let weights = own * vec3f(weight, tile_weight_gradient(map.tile_position, blend));

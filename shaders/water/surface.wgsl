@@ -57,11 +57,11 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
     let map = frame.cascades[c];
     let lod = log_spacing + map.log_texels_per_m;
     // Fades a cascade out, as its waves become shorter than two spacings of the mesh.
-    let share = clamp(log2(frame.n) - 2.0 - lod, 0.0, 1.0);
+    let share = saturate(log2(frame.n) - 2.0 - lod);
     if share <= 0.0 {
       continue;
     }
-    let smoothness = clamp(-2.0 * lod, 0.0, 1.0);
+    let smoothness = saturate(-2.0 * lod);
     let carried = select(0.0, water_carried_fraction(map, inverse_step), carries);
     var next = tile_blend(map.tile_position, at, carried > 0.0);
     for (var i = 0u; i < TILE_COPIES; i++) {

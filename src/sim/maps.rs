@@ -28,8 +28,9 @@ gpu_struct! {
         pub cell: [i32; 2],
         /// Key of the hash that gives each copy of the patch its random shift; it differs between cascades.
         pub shift_key: u32,
-        /// 1 if randomly shifted copies of the patch are blended, 0 if the patch repeats periodically.
-        pub blends_copies: u32,
+        /// Step of the random shifts between blended copies of the patch, in texture coordinates; 0 if the patch repeats
+        /// periodically.
+        pub shift_step: f32,
         unused: [u32; 2],
     }
 }
@@ -103,7 +104,7 @@ impl From<TriangleLatticePosition> for TileLatticePosition {
             fraction: position.cell_fraction.map(|x| x as f32),
             cell: position.cell,
             shift_key: position.tiling.shift_hash_key,
-            blends_copies: u32::from(position.tiling.blends_copies),
+            shift_step: if position.tiling.blends_copies { 1.0 / 64.0 } else { 0.0 },
             unused: [0; 2],
         }
     }

@@ -122,9 +122,8 @@ gpu_struct! {
         caustic_strength: f32,
         /// Half the shortest wavelength of waves that form distinct caustics on the bed, m; shorter detail is ignored.
         caustic_filter_m: f32,
-        /// Square of `relative_index`, less 1.
-        index_contrast: f32,
-        unused: u32,
+        /// Square of `relative_index`, less 1, and the reciprocal of that, or 0 if the indices are equal.
+        index_contrast: [f32; 2],
     }
 }
 
@@ -141,6 +140,7 @@ impl MaterialUniform {
         let gale = gale * gale * (3.0 - 2.0 * gale);
         let below_eye = [scene.view.eye.x, scene.view.eye.z];
         let into_water = reflection.index_air / reflection.index_water;
+        let contrast = into_water.powi(-2) - 1.0;
         let [sun_x, _, sun_z] = scene.look.sky.sun_direction();
         let sun_cosine = sun_x.hypot(sun_z);
         Self {
@@ -177,8 +177,7 @@ impl MaterialUniform {
             sky_reflection: reflection.sky_strength as f32,
             caustic_strength: bed.caustics as f32,
             caustic_filter_m: scene.sea.caustic_filter_m as f32,
-            index_contrast: ((reflection.index_water / reflection.index_air).powi(2) - 1.0) as f32,
-            unused: 0,
+            index_contrast: [contrast, if contrast == 0.0 { 0.0 } else { contrast.recip() }].map(|x| x as f32),
         }
     }
 }
