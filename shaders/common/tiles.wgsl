@@ -7,14 +7,17 @@ const TILE_VISIBLE_FROM = 0.25;
 // Number of copies that a point may see, one for each corner of its triangle. A hidden copy has the weight 0.
 const TILE_COPIES = 3u;
 
-// The copies of a patch that contribute to a point: lattice cell, weight W, and, if wanted, derivatives of W along the
+// The copies of a patch that contribute to a point: corner of the lattice, weight W, and, if wanted, derivatives of W along the
 // two coordinates of the lattice. The x components belong to the current copy; `tile_next_copy` goes on to the next one.
 struct TileBlend {
   weight: vec3f,
   along_u: vec3f,
   along_v: vec3f,
-  cell_x: vec3i,
-  cell_z: vec3i,
+  // The copies' corners of the lattice cell `cell`, counted from the opposite corner in its upper triangle.
+  corner_x: vec3i,
+  corner_z: vec3i,
+  cell: vec2i,
+  is_upper: bool,
 }
 
 // The copies of the patch at the point that lies at the offset `at`, m, from the point of `position`. The derivatives of
@@ -29,11 +32,12 @@ fn tile_blend(position: TileLatticePosition, at: vec2f, wants_derivatives: bool)
   let raw = max(vec3f(1.0 - f.x - f.y, f) - TILE_VISIBLE_FROM, vec3f(0.0));
   let w = raw * raw;
   let norm = inverseSqrt(dot(w, w));
-  let cell = position.cell + vec2i(whole);
   var out: TileBlend;
   out.weight = w * norm;
-  out.cell_x = cell.x + select(vec3i(0, 1, 0), vec3i(1, 0, 1), upper);
-  out.cell_z = cell.y + select(vec3i(0, 0, 1), vec3i(1, 1, 0), upper);
+  out.corner_x = vec3i(0, 1, 0);
+  out.corner_z = vec3i(0, 0, 1);
+  out.cell = position.cell + vec2i(whole);
+  out.is_upper = upper;
   if position.shift_step == 0.0 {
     out.weight = vec3f(1.0, 0.0, 0.0);
   } else if wants_derivatives {
@@ -50,7 +54,8 @@ fn tile_blend(position: TileLatticePosition, at: vec2f, wants_derivatives: bool)
 // Rotates the next copy into the x components. Vectors indexed by a variable would not stay in registers.
 fn tile_next_copy(blend: TileBlend) -> TileBlend {
   return TileBlend(
-    blend.weight.yzx, blend.along_u.yzx, blend.along_v.yzx, blend.cell_x.yzx, blend.cell_z.yzx);
+    blend.weight.yzx, blend.along_u.yzx, blend.along_v.yzx, blend.corner_x.yzx, blend.corner_z.yzx, blend.cell,
+    blend.is_upper);
 }
 
 // Derivatives dW/dx and dW/dz of the weight of the current copy, 1/m.
@@ -60,6 +65,7 @@ fn tile_weight_gradient(position: TileLatticePosition, blend: TileBlend) -> vec2
 
 // Shift of the current copy in texture coordinates: a multiple of 1/64, which is a whole number of texels for every n.
 fn tile_copy_shift(position: TileLatticePosition, blend: TileBlend) -> vec2f {
-  let cell = vec4u(bitcast<u32>(blend.cell_x.x), bitcast<u32>(blend.cell_z.x), position.shift_key, 0u);
-  return vec2f(noise_pcg4d(cell).xy >> vec2u(26u)) * position.shift_step;
+  let corner = vec2i(blend.corner_x.x, blend.corner_z.x);
+  let cell = bitcast<vec2u>(blend.cell + select(corner, 1 - corner, blend.is_upper));
+  return vec2f(noise_pcg4d(vec4u(cell, position.shift_key, 0u)).xy >> vec2u(26u)) * position.shift_step;
 }

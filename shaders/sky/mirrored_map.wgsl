@@ -3,6 +3,7 @@
 // Standard deviation, rad, of the elevations of the mirrored rays in the first layer of the table. It doubles from each
 // layer to the next.
 const MIRRORED_FIRST_SPREAD = 0.02;
+const MIRRORED_LOG_FIRST_SPREAD = log2(MIRRORED_FIRST_SPREAD);
 const MIRRORED_LAYERS = 6.0;
 
 // Scale of the stereographic projection from the nadir, by which the table maps directions to texture coordinates:
@@ -20,5 +21,5 @@ fn mirrored_sky_direction(uv: vec2f) -> vec3f {
 
 // Third texture coordinate of rays whose elevations have the standard deviation `spread`, rad.
 fn mirrored_sky_layer(spread: f32) -> f32 {
-  return (log2(max(spread, 1e-6) / MIRRORED_FIRST_SPREAD) + 0.5) / MIRRORED_LAYERS;
+  return (log2(max(spread, 1e-6)) - MIRRORED_LOG_FIRST_SPREAD + 0.5) * (1.0 / MIRRORED_LAYERS);
 }

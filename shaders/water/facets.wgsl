@@ -163,7 +163,7 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
     q.range = 0.5 * ATM_PI - atan2(q.low, 1.0);
   } else {
     // Slopes that are turned away from the eye are invisible.
-    q.low = -(f.tilt.height / f.tilt.across + f.tilt.mean) / f.tilt.sigma;
+    q.low = -(f.tilt.height + f.tilt.across * f.tilt.mean) / (f.tilt.across * f.tilt.sigma);
     q.from_t = max(q.low, -2.8);
     // Nodes cover the density up to 2.6 deviations, or a length of about 6.5 / t in its far tail.
     q.range = max(2.6 - q.from_t, 6.5 / max(q.from_t, 2.5));
@@ -175,7 +175,7 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
   q.square = vec3f(
     dot(q.slope, q.slope), 2.0 * dot(q.slope, q.slope_per_tilt), dot(q.slope_per_tilt, q.slope_per_tilt));
   q.nodes = select(WATER_GAUSSIAN_NODES, WATER_GGX_NODES, WATER_GGX);
-  q.part = 1.0 / f32(q.nodes);
+  q.part = select(1.0 / f32(WATER_GAUSSIAN_NODES), 1.0 / f32(WATER_GGX_NODES), WATER_GGX);
   q.sky_layer = water_sky_layer(q.range * f.tilt.sigma * q.part);
   q.side_variance = max(f.side_sigma * f.side_sigma - f.tilt_side_shear * f.tilt_side_shear, 0.0);
   return q;

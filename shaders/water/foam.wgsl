@@ -21,6 +21,8 @@ const FOAM_MIN_AMOUNT = 0.002;
 const FOAM_MIN_RESOLVED = 0.05;
 // Fraction of a noise layer's variance below which the layer counts as even, at its mean of 0.5.
 const FOAM_MIN_LAYER_VARIANCE = 0.02;
+// Fraction of a pixel's light from foam, below which its relief is not seen.
+const FOAM_MIN_RELIEF_COVER = 0.02;
 // Length over which the finest noise changes, m. Longer pixels have two samples.
 const FOAM_FINEST_DETAIL_M = 0.02;
 
@@ -160,12 +162,16 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
   out.cover *= share;
   out.grain = 0.5 + kept.w * out.grain * share;
   let lumps_lod = logs.z + densities.z;
-  let lumps_kept = material_variance_left(vec4f(lumps_lod)).z;
-  if material.foam_relief > 0.0 && lumps_kept > 0.05 && out.cover > 0.002 {
+  let lumps_kept =
+    1.0 / (1.0 + exp2(MATERIAL_VARIANCE_STEEPNESS.z * (lumps_lod - MATERIAL_HALF_VARIANCE_LOD.z)));
+  if material.foam_relief > 0.0 && lumps_kept > 0.05 && out.cover > FOAM_MIN_RELIEF_COVER {
     let strands = material_noise(FOAM_STRAND_LAYER, at, lumps_lod).r;
-    let lumps = foam_noise_gradient(FOAM_STRAND_LAYER, 0u, at, whole_m, lumps_lod, strands);
-    let fizz = foam_noise_gradient(FOAM_BUBBLE_LAYER, 1u, at, whole_m, lods.w, bubbles);
-    let both = lumps * (lumps_kept * FOAM_LUMP_HEIGHT_M) + fizz * (kept.w * FOAM_BUBBLE_HEIGHT_M);
+    var both = foam_noise_gradient(FOAM_STRAND_LAYER, 0u, at, whole_m, lumps_lod, strands);
+    both *= lumps_kept * FOAM_LUMP_HEIGHT_M;
+    if kept.w > FOAM_MIN_LAYER_VARIANCE {
+      let fizz = foam_noise_gradient(FOAM_BUBBLE_LAYER, 1u, at, whole_m, lods.w, bubbles);
+      both += fizz * (kept.w * FOAM_BUBBLE_HEIGHT_M);
+    }
     let relief = both * (material.foam_relief * covered * share);
     out.relief = relief * min(1.0, 1.2 / max(length(relief), 1e-6));
   }

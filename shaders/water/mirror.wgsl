@@ -54,8 +54,9 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
     weights += node.weight;
   }
   var out: WaterMirror;
-  out.radiance = sum * (material.sky_reflection / weights);
-  out.reflectance = sum_f / weights;
+  let over = 1.0 / weights;
+  out.radiance = sum * (material.sky_reflection * over);
+  out.reflectance = sum_f * over;
   out.radiance += water_glitter(v, slope, around, out.reflectance);
   return out;
 }
@@ -66,7 +67,7 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
 fn water_mirrored_sky(v: vec3f, slope: vec2f, facing: f32, length_square: f32, layer: f32) -> vec3f {
   // The mirrored ray is 2 (v n) n / n^2 - v. The table needs its horizontal part over 1 and its vertical part.
   let twice = 2.0 * facing;
-  let over = MIRRORED_SCALE / max(length_square * (1.0 - v.y) + twice, 1e-6);
+  let over = MIRRORED_SCALE / (length_square * (1.0 - v.y) + twice);
   let uv = 0.5 - over * (twice * slope + length_square * v.xz);
   return textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), layer), 0.0).rgb;
 }
@@ -106,14 +107,16 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
   }
   // No slope is more likely than if its direction had the variance of both together.
   let mirror_slope = -between.xz / between.y;
-  let nearest = max(length(mirror_slope - surface.mean) - length(surface.half_slope_difference), 0.0);
+  var half = surface.half_slope_difference;
+  let from_mean = mirror_slope - surface.mean;
   let most_variance = surface.variance.x + surface.variance.y + 2.0 * frame.sun_slope_variance;
-  if !WATER_GGX && !WATER_PHONG && nearest * nearest >= WATER_NO_GLITTER_SQUARE * most_variance {
+  // The square of a sum is at most twice the sum of the squares.
+  let farthest_square = 2.0 * (WATER_NO_GLITTER_SQUARE * most_variance + dot(half, half));
+  if !WATER_GGX && !WATER_PHONG && dot(from_mean, from_mean) >= farthest_square {
     return vec3f(0.0);
   }
   // Both halves of an elongated footprint glitter by their own slopes: neither has the mean of a wave's face and back.
   // Halves that are nearly alike count as one.
-  var half = surface.half_slope_difference;
   let is_split = !WATER_POINT_SAMPLES && dot(half, half) > 0.01 * min(surface.variance.x, surface.variance.y);
   var part = surface;
   if is_split {
