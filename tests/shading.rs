@@ -184,15 +184,10 @@ fn mirrored_sky(gpu: &Gpu) -> wgpu::TextureView {
     const SIZE: [u32; 3] = [256, 256, 6];
     let texel = |i: u32| {
         let [x, y] = [i % SIZE[0], i / SIZE[0] % SIZE[1]];
-        // Azimuths are counted along the sides of a square with corners in north, east, south and west.
-        let turn = 4.0 * ((f64::from(x) + 0.5) / f64::from(SIZE[0]) + 0.25).fract();
-        let is_south = turn >= 2.0;
-        let east = if is_south { 3.0 - turn } else { turn - 1.0 };
-        let south = if is_south { 1.0 - east.abs() } else { east.abs() - 1.0 };
-        let half_tangent = 2.0 * (f64::from(y) + 0.5) / f64::from(SIZE[1]) - 1.0;
-        let (sin, cos) = (2.0 * half_tangent.atan()).sin_cos();
-        let level = DVec2::new(east, south).normalize() * cos;
-        [1.0, 0.0, sky_blue(DVec3::new(level.x, sin, level.y)), 1.0].map(f16::from_f64)
+        // A stereographic projection from the nadir, whose sides lie 1.6 from its middle.
+        let p = (DVec2::new(f64::from(x), f64::from(y)) + 0.5) * (3.2 / f64::from(SIZE[0])) - 1.6;
+        let dir = DVec3::new(2.0 * p.x, 1.0 - p.length_squared(), 2.0 * p.y) / (1.0 + p.length_squared());
+        [1.0, 0.0, sky_blue(dir), 1.0].map(f16::from_f64)
     };
     let texels: Vec<[f16; 4]> = (0..SIZE.iter().product()).map(texel).collect();
     let descriptor = wgpu::TextureDescriptor {
@@ -652,19 +647,19 @@ const FAULTS: &[Fault] = &[
         "F1: Fresnel's fractions upside down",
         &[
             (
-                "return 0.5 * up * up * (s * s + p * p) / (over * over);",
-                "return 0.5 * down * down * (s * s + p * p) / (up * up * p * p);",
+                "return 0.5 * across * across * (1.0 + along * along);",
+                "return 0.5 * (1.0 + 1.0 / (along * along)) / (across * across);",
             ),
             (
-                "clamp(material.fresnel_scale * water_dielectric(cosine, index), 0.0, 1.0)",
-                "water_dielectric(cosine, index)",
+                "saturate(material.fresnel_scale * water_dielectric(cosine, material.index_contrast))",
+                "water_dielectric(cosine, material.index_contrast)",
             ),
         ],
         "fresnel",
     ),
     Fault(
         "F3: half vector not normalised",
-        &[("let h = normalize(l + v);", "let h = l + v;")],
+        &[("let h = normalize(between);\n  var f", "let h = between;\n  var f")],
         "glitter where nothing is masked",
     ),
     Fault(
@@ -722,15 +717,16 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "no Fresnel on the mirrored sky",
-        &[("reflected * water_environment", "node.weight * water_environment")],
+        &[("reflected * water_mirrored_sky", "node.weight * water_mirrored_sky")],
         "white furnace, mirrored and let in",
     ),
     Fault("Schlick's exponent fixed", &[("1e-6), material.schlick_exponent)", "1e-6), 5.0)")], "schlick"),
     Fault(
         "the indices exchanged",
         &[(
-            "let index = material.relative_index;\n  if WATER_SCHLICK",
-            "let index = material.inverse_relative_index;\n  if WATER_SCHLICK",
+            "water_dielectric(cosine, material.index_contrast)",
+            "water_dielectric(cosine, vec2f(material.inverse_relative_index * material.inverse_relative_index - 1.0, \
+             1.0 / (material.inverse_relative_index * material.inverse_relative_index - 1.0)))",
         )],
         "hemispherical reflectance",
     ),
@@ -759,11 +755,7 @@ const FAULTS: &[Fault] = &[
         &[("let reach = depth_m *", "let reach = 0.1 * depth_m *")],
         "contrast of caustics under 0.05",
     ),
-    Fault(
-        "the light's way back mirrored",
-        &[("let mirrored = (2.0 *", "let mirrored = (-2.0 *")],
-        "mirrored direction",
-    ),
+    Fault("the light's way back mirrored", &[("let uv = 0.5 - over", "let uv = 0.5 + over")], "mirrored direction"),
 ];
 
 #[test]

@@ -16,6 +16,8 @@ fn ask_fresnel(cosine: f32, kind: vec4f, indices: vec4f) -> f32 {
   material.schlick_exponent = kind.y;
   material.fresnel_scale = kind.z;
   material.relative_index = indices.y / indices.z;
+  let contrast = material.relative_index * material.relative_index - 1.0;
+  material.index_contrast = vec2f(contrast, 1.0 / contrast);
   return water_fresnel(cosine);
 }
 

@@ -106,20 +106,20 @@ pub struct ShaderCost {
 }
 
 /// Cost per vertex of the compute pass that displaces the sea mesh.
-pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { ops: 1079.0, reads: 14.7, max_ops: 1906.0, max_reads: 41.0 };
+pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { ops: 924.0, reads: 14.7, max_ops: 1680.0, max_reads: 41.0 };
 /// Cost per vertex of the vertex shader that draws the already displaced sea mesh.
 pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max_ops: 36.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
 pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 21.0, reads: 0.0, max_ops: 21.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
-pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 3798.0, reads: 36.1, max_ops: 5886.0, max_reads: 67.0 };
+pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2985.0, reads: 29.5, max_ops: 4794.0, max_reads: 58.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the lean tier.
 pub const LEAN_LIGHT_FRAGMENT_COST: ShaderCost =
-    ShaderCost { ops: 1455.0, reads: 13.2, max_ops: 2441.0, max_reads: 19.0 };
+    ShaderCost { ops: 1333.0, reads: 13.2, max_ops: 2241.0, max_reads: 19.0 };
 /// Cost per pixel of the fragment shader that draws the sky above the sea.
-pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 223.0, reads: 1.0, max_ops: 223.0, max_reads: 1.0 };
+pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 221.0, reads: 1.0, max_ops: 221.0, max_reads: 1.0 };
 /// Cost per pixel of the tone pass, which turns the HDR picture into screen colours.
-pub const TONE_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 227.2, reads: 5.1, max_ops: 479.0, max_reads: 9.0 };
+pub const TONE_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 200.0, reads: 3.1, max_ops: 496.0, max_reads: 11.0 };
 /// Cost per pixel of the present pass if the picture has the size of the canvas, so that it is copied.
 pub const COPY_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 20.0, reads: 1.0, max_ops: 20.0, max_reads: 1.0 };
 /// Cost per pixel of the present pass if it enlarges the picture.
