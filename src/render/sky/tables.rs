@@ -20,7 +20,7 @@ const SKY_VIEW_SIZE: [u32; 2] = [192, 128];
 const ENVIRONMENT_SIZE: [u32; 2] = [256, 128];
 /// Number of mip levels of the environment map (the sky that the sea reflects), down to 8 x 4 texels.
 const ENVIRONMENT_MIP_LEVELS: u32 = 6;
-/// Size, texels, of the table of the mirrored sky: azimuth, elevation, and layers of growing spread
+/// Size, texels, of the table of the mirrored sky: the two axes of its projection, and layers of growing spread
 /// (shaders/sky/mirrored_map.wgsl).
 const MIRRORED_SIZE: [u32; 3] = [128, 128, 6];
 /// Number of workgroups, of 64 threads each, that sum the light of the sky over directions (shaders/sky/light.wgsl).
@@ -81,7 +81,7 @@ pub struct SkyTables {
     pub transmittance: wgpu::TextureView,
     pub sky_view: wgpu::TextureView,
     pub environment: wgpu::TextureView,
-    /// The environment as rough water mirrors it: azimuth by elevation by the spread of the mirrored rays.
+    /// The environment as rough water mirrors it: a stereographic projection by the spread of the mirrored rays.
     pub mirrored: wgpu::TextureView,
     pub sampler: wgpu::Sampler,
     /// Textures of the sky image, if the sky comes from an image file.
