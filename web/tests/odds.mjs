@@ -1,4 +1,4 @@
-// Rare events: refused memory, canvases of odd sizes, other device pixel ratios, clocks that jump.
+// Rare events: refused memory, canvases of odd sizes, other device pixel ratios, clocks that jump, slow displays.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { frames, openSea, stateOf } from './sea.mjs';
@@ -22,6 +22,34 @@ const shortOfMemory = () => {
       if (width > 200) setTimeout(() => this.dispatchEvent(new GPUUncapturedErrorEvent('uncapturederror', { error })));
     }
     return real.call(this, descriptor);
+  };
+};
+
+// Shows at most 30 frames a second, and tells that the GPU finishes each in 4 ms. Without that, a software adapter would
+// take as long as a GPU that is too slow. Notes the widths of the textures with the picture's shape.
+const idleAtThirtyHertz = () => {
+  window.widths = [];
+  const create = GPUDevice.prototype.createTexture;
+  GPUDevice.prototype.createTexture = function createTexture(descriptor) {
+    const { width, height } = descriptor.size;
+    if (width <= 160 && Math.abs(width / height - 1.6) < 0.06) window.widths.push(width);
+    return create.call(this, descriptor);
+  };
+  const has = GPUSupportedFeatures.prototype.has;
+  GPUSupportedFeatures.prototype.has = function hasFeature(name) {
+    return name !== 'timestamp-query' && has.call(this, name);
+  };
+  GPUQueue.prototype.onSubmittedWorkDone = () => new Promise((resolve) => setTimeout(resolve, 4));
+  const request = window.requestAnimationFrame.bind(window);
+  let shown = 0;
+  window.requestAnimationFrame = (callback) => {
+    const waitForFrame = () =>
+      request((now) => {
+        if (now - shown < 30) return waitForFrame();
+        shown = now;
+        return callback(now);
+      });
+    return waitForFrame();
   };
 };
 
@@ -94,6 +122,24 @@ export async function odds(context) {
       await isSea(tab, 'resized');
       assert.deepEqual(tab.errors, [], 'console errors');
       return `${widest.join(' x ')} of 9000 x 40`;
+    } finally {
+      await tab.close();
+    }
+  });
+
+  await test(`${browser.name}: a display of 30 Hz costs no pixels`, async () => {
+    const state = 'n=64&mesh=0.1&foam=0&ui=0';
+    const tab = await browser.open(`${context.origin}/?${state}`, { size: [160, 100], before: idleAtThirtyHertz });
+    try {
+      // The page begins with a quarter of the width, because it knows that the adapter is a software adapter.
+      await tab.until('a first picture', () => window.seastate?.has_first_picture());
+      await tab.until('all pixels', () => window.widths.at(-1) === 160);
+      for (let look = 0; look < 50; look += 1) {
+        await new Promise((resolve) => setTimeout(resolve, 100));
+        assert.equal(await tab.evaluate(() => window.widths.at(-1)), 160, 'the picture stays as wide as its canvas');
+      }
+      assert.deepEqual(tab.errors, [], 'console errors');
+      return `widths ${(await tab.evaluate(() => [...new Set(window.widths)])).join(', ')}`;
     } finally {
       await tab.close();
     }
