@@ -5,7 +5,6 @@ const BED_PATCH_LAYER = 4u;
 // Noise layer of sand grains.
 const BED_GRAIN_LAYER = 5u;
 // Number of periods of the ripple marks in the sand along both sides of the noise tile (src/render/water/material.rs).
-// (src/render/water/material.rs).
 const BED_RIPPLES_PER_TILE = vec2f(37.0, 11.0);
 // Wavelength of the ripple marks in the sand, m.
 const BED_RIPPLE_WAVELENGTH_M = 0.32;
@@ -27,20 +26,57 @@ fn bed_albedo(at: vec2f, size: f32) -> vec3f {
   return material.bed_colour * clamp(1.0 + 0.35 * patches + 0.22 * grains + ripple, 0.3, 1.5);
 }
 
-fn bed_focusing_slope(at: vec2f) -> vec2f {
-  return water_slope(at, water_round_footprint(material.caustic_filter_m)).mean;
+// Mean slope over the waves that focus light, at an undisplaced position relative to the point below the eye, m. It
+// leaves out what water_slope knows besides: shears, ripples and the variance of shorter waves.
+fn bed_focusing_slope(at: vec2f, foot: WaterFootprint) -> vec2f {
+  var sums: WaterDerivatives;
+  for (var c = 0u; c < frame.cascade_count; c++) {
+    let map = frame.cascades[c];
+    if water_is_distant(map, foot) {
+      continue;
+    }
+    let sampling = water_sampling(map, foot);
+    let first_uv = map.uv_below_eye + at * map.inverse_patch;
+    var next = tile_blend(map.tile_position, at, false);
+    for (var i = 0u; i < TILE_COPIES; i++) {
+      let blend = next;
+      next = tile_next_copy(blend);
+      if blend.weight.x > 0.0 {
+        let uv = first_uv + tile_copy_shift(map.tile_position, blend);
+        let weight = sampling.slope_weight * blend.weight.x;
+        let gradients = textureSampleLevel(gradients_map, trilinear_sampler, uv, map.layer, sampling.slope_lod);
+        sums.slope += weight * gradients.xy;
+        sums.stretch += weight * gradients.zw;
+      }
+    }
+  }
+  let sides = 1.0 + frame.choppiness * sums.stretch;
+  return sums.slope * sides.yx / max(water_jacobian(sums, sides), 0.25);
 }
 
 // Irradiance by the sun at a point of the bed, relative to its mean. A ray that enters the water at s meets the bed at
 // s + reach grad(eta)(s), with the elevation eta and its Hessian H. So light is focused by 1 / |det(I + reach H)|.
 fn bed_caustic_gain(entry: vec2f, depth_m: f32) -> f32 {
   let reach = depth_m * (1.0 - material.inverse_relative_index);
-  // Two fixed-point steps find where the ray that arrives at the given point enters the water.
-  var at = entry - reach * bed_focusing_slope(entry);
-  at = entry - reach * bed_focusing_slope(at);
+  let foot = water_round_footprint(material.caustic_filter_m);
   let h = 0.5 * material.caustic_filter_m;
-  let x = (bed_focusing_slope(at + vec2f(h, 0.0)) - bed_focusing_slope(at - vec2f(h, 0.0))) * (reach / (2.0 * h));
-  let z = (bed_focusing_slope(at + vec2f(0.0, h)) - bed_focusing_slope(at - vec2f(0.0, h))) * (reach / (2.0 * h));
+  let per_step = reach / (2.0 * h);
+  // Two fixed-point steps find where the ray that arrives at the given point enters the water; four more looks around
+  // that point tell the Hessian. One call in a loop, because compilers copy a called function to each call.
+  var at = entry;
+  var x = vec2f(0.0);
+  var z = vec2f(0.0);
+  for (var look = 0; look < 6; look++) {
+    let side = select(h, -h, (look & 1) == 1);
+    let is_step = look < 2;
+    let is_x = look < 4;
+    let off = select(select(vec2f(0.0, side), vec2f(side, 0.0), is_x), vec2f(0.0), is_step);
+    let slope = bed_focusing_slope(at + off, foot);
+    let change = slope * select(per_step, -per_step, side < 0.0);
+    at = select(at, entry - reach * slope, is_step);
+    x += select(vec2f(0.0), change, is_x && !is_step);
+    z += select(vec2f(0.0), change, !is_x);
+  }
   let det = (1.0 + x.x) * (1.0 + z.y) - x.y * z.x;
   return sqrt((1.0 + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR) / (det * det + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR));
 }

@@ -36,8 +36,9 @@ fn water_reflectance(plume: f32) -> vec3f {
 // Irradiance by the sun that enters the water where the waves, without their ripples, have the normal `n`.
 fn water_entering_sunlight(n: vec3f) -> vec3f {
   let l = frame.sun_direction;
-  let facing = max(0.5 * dot(n, l) + 0.5 * l.y, 0.0);
-  return light.sun_irradiance * (facing * (1.0 - water_fresnel(max(dot(n, l), 0.0))));
+  let cosine = dot(n, l);
+  let facing = max(0.5 * cosine + 0.5 * l.y, 0.0);
+  return light.sun_irradiance * (facing * (1.0 - water_fresnel(max(cosine, 0.0))));
 }
 
 // Fraction of the surface lately covered by foam, below which the bubbles do not count.
@@ -56,7 +57,7 @@ fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
   let sky_factor = material.skylight_scatter_factor * WATER_SKYLIGHT_TRANSMITTANCE * (0.5 + 0.5 * n.y);
   let sky = light.sky_irradiance * sky_factor;
   // Upwelling light is uneven over the hemisphere: irradiance / radiance is Q = 4 sr. Half of it is reflected back.
-  return (sun + sky) * r / (4.0 * (1.0 - 0.48 * r));
+  return (sun + sky) * (r / (4.0 - 1.92 * r));
 }
 
 // Fraction of the light behind a crest that comes through it scattered. `rise` is as in water_crest_radiance.
@@ -75,7 +76,7 @@ fn water_crest_transmittance(rise: f32, jacobian: f32, plume: f32) -> vec3f {
 // Light through the back of a crest. `rise` is the height above the mean level divided by the significant wave height.
 fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
   let squeezed = saturate(1.6 - jacobian);
-  let thin = smoothstep(-0.05, 0.55, rise) * squeezed;
+  let thin = maths_smooth((rise + 0.05) * (1.0 / 0.6)) * squeezed;
   if thin <= 0.01 || frame.sun_direction.y <= -0.02 {
     return vec3f(0.0);
   }

@@ -76,11 +76,14 @@ struct WaterFacets {
 
 fn water_tilt_towards(dir: vec3f, slope: WaterSlope) -> WaterTilt {
   // For a vertical direction any azimuth will do.
-  let level = select(vec2f(1e-4, 0.0), dir.xz, dot(dir.xz, dir.xz) > 1e-8);
+  let is_vertical = dot(dir.xz, dir.xz) <= 1e-8;
+  let level = select(dir.xz, vec2f(1e-4, 0.0), is_vertical);
+  let level_square = dot(level, level);
+  let over_across = inverseSqrt(level_square);
   var t: WaterTilt;
-  t.across = length(level);
+  t.across = level_square * over_across;
   t.height = dir.y;
-  t.toward = level / t.across;
+  t.toward = level * over_across;
   t.mean = -dot(slope.mean, t.toward);
   let square = dot(slope.variance.xy, t.toward * t.toward) + 2.0 * slope.variance.z * t.toward.x * t.toward.y;
   t.sigma = sqrt(max(square, 1e-6));

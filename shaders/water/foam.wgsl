@@ -118,7 +118,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
     bubbles = material_noise(FOAM_BUBBLE_LAYER, at, lods.w).g;
   }
   // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
-  let fresh = smoothstep(0.0, 0.45, level.y);
+  let fresh = maths_smooth(level.y * (1.0 / 0.45));
   // A sum of uniform variables is nearly normal. Its part that the pixel does not resolve softens the edge, so that the
   // mean over the noise is the amount of foam at every distance.
   let weight = mix(vec4f(0.7, 0.9, 1.1, 0.45), vec4f(0.4, 0.9, 0.8, 0.4), fresh);

@@ -63,9 +63,8 @@ fn water_gradient_mean(
 // Mip level of the displacement map from which shears, and the change of weights between copies, are left out.
 const WATER_SHEAR_LOD = 1.0;
 
-// Weight of a copy of a patch below which it is left out; it is whole from twice this weight. Few pixels then look at
-// more than one copy.
-const WATER_LEAST_COPY_WEIGHT = 0.1;
+// Weight of a copy of a patch up to which it is left out, because it is not seen.
+const WATER_LEAST_COPY_WEIGHT = 0.008;
 // Weight of a copy of a patch from which it is interpolated by a spline.
 const WATER_SPLINE_COPY_WEIGHT = 0.5;
 
@@ -85,11 +84,8 @@ fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFoo
   for (var i = 0u; i < TILE_COPIES; i++) {
     let blend = next;
     next = tile_next_copy(blend);
-    var weight = blend.weight.x;
-    if !WATER_POINT_SAMPLES {
-      weight *= saturate(weight * (1.0 / WATER_LEAST_COPY_WEIGHT) - 1.0);
-    }
-    if weight <= 0.0 {
+    let weight = blend.weight.x;
+    if weight <= WATER_LEAST_COPY_WEIGHT {
       continue;
     }
     let uv = first_uv + tile_copy_shift(map.tile_position, blend);
