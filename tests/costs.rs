@@ -197,6 +197,8 @@ fn the_costs_of_light_and_sky_are_what_they_execute() {
         ("LIGHT_FRAGMENT_COST", of_pixels(&light, &lit, 100), cost::LIGHT_FRAGMENT_COST),
         ("BACKGROUND_FRAGMENT_COST", of_pixels(&sky, &lit, 200), cost::BACKGROUND_FRAGMENT_COST),
     ]);
+    let ShaderCost { ops, .. } = cost::LIGHT_FRAGMENT_COST;
+    assert!(ops <= 3000.0, "the budget of the full tier");
 }
 
 #[test]

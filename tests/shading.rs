@@ -747,7 +747,7 @@ const FAULTS: &[Fault] = &[
     ),
     Fault(
         "light focused where it enters",
-        &[("at = select(at, entry - reach * slope, is_step);", "at = entry;")],
+        &[("at = entry - reach * bed_focusing_slope(at, foot);", "at = entry;")],
         "mean light under caustics off 1",
     ),
     Fault(

@@ -7,8 +7,9 @@ const TILE_VISIBLE_FROM = 0.25;
 // Number of copies that a point may see, one for each corner of its triangle. A hidden copy has the weight 0.
 const TILE_COPIES = 3u;
 
-// The copies of a patch that contribute to a point: corner of the lattice, weight W, and, if wanted, derivatives of W along the
-// two coordinates of the lattice. The x components belong to the current copy; `tile_next_copy` goes on to the next one.
+// The copies of a patch that contribute to a point: corner of the lattice, weight W, and, if wanted, derivatives of W
+// along the two coordinates of the lattice. The x components belong to the current copy; `tile_next_copy` goes on to
+// the next one.
 struct TileBlend {
   weight: vec3f,
   along_u: vec3f,
@@ -20,8 +21,8 @@ struct TileBlend {
   is_upper: bool,
 }
 
-// The copies of the patch at the point that lies at the offset `at`, m, from the point of `position`. The derivatives of
-// the weights are 0 unless they are wanted.
+// The copies of the patch at the point that lies at the offset `at`, m, from the point of `position`. The derivatives
+// of the weights are 0 unless they are wanted.
 fn tile_blend(position: TileLatticePosition, at: vec2f, wants_derivatives: bool) -> TileBlend {
   let q = position.fraction + vec2f(dot(position.gradient_u, at), dot(position.gradient_v, at));
   let whole = floor(q);
@@ -41,8 +42,8 @@ fn tile_blend(position: TileLatticePosition, at: vec2f, wants_derivatives: bool)
   if position.shift_step == 0.0 {
     out.weight = vec3f(1.0, 0.0, 0.0);
   } else if wants_derivatives {
-    // Half the derivatives of w: the barycentric coordinates have the gradients (-1, -1), (1, 0) and (0, 1) in the lower
-    // triangle, and the opposite ones in the upper one.
+    // Half the derivatives of w: the barycentric coordinates have the gradients (-1, -1), (1, 0) and (0, 1) in the
+    // lower triangle, and the opposite ones in the upper one.
     let slope = select(raw, -raw, upper);
     let pull = (norm * norm) * vec2f(w.y * slope.y - w.x * slope.x, w.z * slope.z - w.x * slope.x);
     out.along_u = (2.0 * norm) * (vec3f(-slope.x, slope.y, 0.0) - w * pull.x);

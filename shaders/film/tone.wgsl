@@ -125,8 +125,8 @@ fn tone_compressed_sample(uv: vec2f, exposure: f32) -> vec3f {
 
 // Smallest step in distance that counts as an edge, m; less is one surface, whatever its slope.
 const TONE_MIN_EDGE_M = 1.5;
-// The same, relative to the distance.
-const TONE_MIN_EDGE = 0.05;
+// Smallest step in distance that counts as an edge, divided by the distance.
+const TONE_MIN_EDGE_RATIO = 0.05;
 
 // Exposed light of the pixel around `uv`, with edges smoothed along their direction after FXAA by Timothy Lottes
 // (2009). Crests and the horizon need it, at one sample per pixel. Foam and glitter lie on one surface and are filtered
@@ -141,7 +141,7 @@ fn tone_edges_smoothed(hdr: vec4f, at: vec2i, uv: vec2f, exposure: f32) -> vec3f
   let bends = abs(before.xzw + after.zxy - 2.0 * hdr.a);
   // The bend is compared with the change of alpha over the smallest step in distance that counts.
   let nearness = hdr.a - 1.0;
-  if max(bends.x, max(bends.y, bends.z)) <= nearness * max(1e-4 * TONE_MIN_EDGE_M * nearness, TONE_MIN_EDGE) {
+  if max(bends.x, max(bends.y, bends.z)) <= nearness * max(1e-4 * TONE_MIN_EDGE_M * nearness, TONE_MIN_EDGE_RATIO) {
     return exposed;
   }
   let low_at = max(at - 1, vec2i(0));

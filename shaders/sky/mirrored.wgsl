@@ -18,7 +18,7 @@ const MIRRORED_SIDE_RATIO = vec2f(0.3, 2.5);
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let size = vec2f(textureDimensions(mirrored_out).xy);
   let middle = mirrored_sky_direction((vec2f(id.xy) + 0.5) / size);
-  let east = normalize(vec2f(-middle.z, middle.x) + vec2f(1e-6, 0.0));
+  let east = normalize(vec2f(-middle.z, middle.x));
   let side = vec3f(east.x, 0.0, east.y);
   let above = cross(side, middle);
   let spread = MIRRORED_FIRST_SPREAD * exp2(f32(id.z));

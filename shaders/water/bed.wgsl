@@ -26,10 +26,10 @@ fn bed_albedo(at: vec2f, size: f32) -> vec3f {
   return material.bed_colour * clamp(1.0 + 0.35 * patches + 0.22 * grains + ripple, 0.3, 1.5);
 }
 
-// Mean slope over the waves that focus light, at an undisplaced position relative to the point below the eye, m. It
-// leaves out what water_slope knows besides: shears, ripples and the variance of shorter waves.
+// Mean slope of the waves that focus light, at an undisplaced position relative to the point below the eye, m. It is
+// that of water_slope without shears and ripples, and no variance is read.
 fn bed_focusing_slope(at: vec2f, foot: WaterFootprint) -> vec2f {
-  var sums: WaterDerivatives;
+  var waves: WaterSlopeSums;
   for (var c = 0u; c < frame.cascade_count; c++) {
     let map = frame.cascades[c];
     if water_is_distant(map, foot) {
@@ -45,13 +45,12 @@ fn bed_focusing_slope(at: vec2f, foot: WaterFootprint) -> vec2f {
         let uv = first_uv + tile_copy_shift(map.tile_position, blend);
         let weight = sampling.slope_weight * blend.weight.x;
         let gradients = textureSampleLevel(gradients_map, trilinear_sampler, uv, map.layer, sampling.slope_lod);
-        sums.slope += weight * gradients.xy;
-        sums.stretch += weight * gradients.zw;
+        waves.sums.slope += weight * gradients.xy;
+        waves.sums.stretch += weight * gradients.zw;
       }
     }
   }
-  let sides = 1.0 + frame.choppiness * sums.stretch;
-  return sums.slope * sides.yx / max(water_jacobian(sums, sides), 0.25);
+  return water_displaced_slope(waves).mean;
 }
 
 // Irradiance by the sun at a point of the bed, relative to its mean. A ray that enters the water at s meets the bed at
@@ -59,24 +58,26 @@ fn bed_focusing_slope(at: vec2f, foot: WaterFootprint) -> vec2f {
 fn bed_caustic_gain(entry: vec2f, depth_m: f32) -> f32 {
   let reach = depth_m * (1.0 - material.inverse_relative_index);
   let foot = water_round_footprint(material.caustic_filter_m);
-  let h = 0.5 * material.caustic_filter_m;
-  let per_step = reach / (2.0 * h);
-  // Two fixed-point steps find where the ray that arrives at the given point enters the water; four more looks around
-  // that point tell the Hessian. One call in a loop, because compilers copy a called function to each call.
+  // Two fixed-point steps find where the ray that arrives at the given point enters the water. Loops, because compilers
+  // copy a called function to each call.
   var at = entry;
+  for (var step = 0; step < 2; step++) {
+    at = entry - reach * bed_focusing_slope(at, foot);
+  }
+  // The Hessian from differences over two steps along x and along z: the step turns by a quarter in each round.
+  let h = 0.5 * material.caustic_filter_m;
+  var side = vec2f(h, 0.0);
   var x = vec2f(0.0);
   var z = vec2f(0.0);
-  for (var look = 0; look < 6; look++) {
-    let side = select(h, -h, (look & 1) == 1);
-    let is_step = look < 2;
-    let is_x = look < 4;
-    let off = select(select(vec2f(0.0, side), vec2f(side, 0.0), is_x), vec2f(0.0), is_step);
-    let slope = bed_focusing_slope(at + off, foot);
-    let change = slope * select(per_step, -per_step, side < 0.0);
-    at = select(at, entry - reach * slope, is_step);
-    x += select(vec2f(0.0), change, is_x && !is_step);
-    z += select(vec2f(0.0), change, !is_x);
+  for (var turn = 0; turn < 4; turn++) {
+    let slope = bed_focusing_slope(at + side, foot);
+    x += slope * side.x;
+    z += slope * side.y;
+    side = vec2f(-side.y, side.x);
   }
+  let scale = reach / (2.0 * h * h);
+  x *= scale;
+  z *= scale;
   let det = (1.0 + x.x) * (1.0 + z.y) - x.y * z.x;
   return sqrt((1.0 + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR) / (det * det + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR));
 }

@@ -73,10 +73,14 @@ fn water_crest_transmittance(rise: f32, jacobian: f32, plume: f32) -> vec3f {
   return exp(-extinction * path_m) * (1.0 - exp(-forward * path_m));
 }
 
+// How thin and high a crest is, from 0 where no light comes through it to 1. `rise` is as in water_crest_radiance.
+fn water_crest_thinness(rise: f32, jacobian: f32) -> f32 {
+  return maths_smooth((rise + 0.05) * (1.0 / 0.6)) * saturate(1.6 - jacobian);
+}
+
 // Light through the back of a crest. `rise` is the height above the mean level divided by the significant wave height.
 fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
-  let squeezed = saturate(1.6 - jacobian);
-  let thin = maths_smooth((rise + 0.05) * (1.0 / 0.6)) * squeezed;
+  let thin = water_crest_thinness(rise, jacobian);
   if thin <= 0.01 || frame.sun_direction.y <= -0.02 {
     return vec3f(0.0);
   }

@@ -142,6 +142,7 @@ struct WaterQuadrature {
 }
 
 struct WaterQuadratureNode {
+  // Tilt of the facets, counted in deviations from the mean tilt.
   tilt: f32,
   // Tilt less the one below which facets are turned away from the eye.
   past_low: f32,
@@ -152,7 +153,8 @@ struct WaterQuadratureNode {
 }
 
 // Layer of the mirrored sky for an interval of slopes: an even distribution over the interval has a deviation of
-// interval / sqrt(12), and a slope turns the mirrored ray by twice its angle.
+// interval / sqrt(12), and a slope turns the mirrored ray by twice its angle. That makes 0.58; less blur is nearer to
+// reference pictures.
 fn water_sky_layer(interval: f32) -> f32 {
   return mirrored_sky_layer(0.4 * interval);
 }

@@ -162,8 +162,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
   out.cover *= share;
   out.grain = 0.5 + kept.w * out.grain * share;
   let lumps_lod = logs.z + densities.z;
-  let lumps_kept =
-    1.0 / (1.0 + exp2(MATERIAL_VARIANCE_STEEPNESS.z * (lumps_lod - MATERIAL_HALF_VARIANCE_LOD.z)));
+  let lumps_kept = material_strand_variance_left(lumps_lod);
   if material.foam_relief > 0.0 && lumps_kept > 0.05 && out.cover > FOAM_MIN_RELIEF_COVER {
     let strands = material_noise(FOAM_STRAND_LAYER, at, lumps_lod).r;
     var both = foam_noise_gradient(FOAM_STRAND_LAYER, 0u, at, whole_m, lumps_lod, strands);

@@ -15,7 +15,8 @@ fn water_dielectric(cosine: f32, contrast: vec2f) -> f32 {
   let g = sqrt(g2);
   let up = g - c;
   let down = g + c;
-  // Amplitude of the light that is polarised across the plane of incidence, up / down, and the other one relative to it.
+  // Amplitude of the light that is polarised across the plane of incidence, which is up / down, and the ratio to it of
+  // the amplitude of the light that is polarised along that plane.
   let across = up * up * contrast.y;
   let along = (c * down - 1.0) / (c * up + 1.0);
   return 0.5 * across * across * (1.0 + along * along);

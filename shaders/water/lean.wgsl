@@ -149,7 +149,7 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, level: vec2f) -> FoamAppearance {
 // Light through the back of a crest (as water_crest_radiance). `rise` is the height above the mean level divided by the
 // significant wave height.
 fn lean_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
-  let thin = maths_smooth((rise + 0.05) * (1.0 / 0.6)) * saturate(1.6 - jacobian);
+  let thin = water_crest_thinness(rise, jacobian);
   if thin <= 0.1 {
     return vec3f(0.0);
   }

@@ -21,6 +21,11 @@ fn material_noise(layer: u32, at: vec2f, lod: f32) -> vec4f {
   return textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at), max(lod, 0.0));
 }
 
+// Fraction of the variance of the layer of strands that is left at a mip level, 0 to 1.
+fn material_strand_variance_left(lod: f32) -> f32 {
+  return 1.0 / (1.0 + exp2(MATERIAL_VARIANCE_STEEPNESS.z * (lod - MATERIAL_HALF_VARIANCE_LOD.z)));
+}
+
 // Fractions of the variance of the four layers of foam that are left at their mip levels, 0 to 1.
 fn material_variance_left(lods: vec4f) -> vec4f {
   return 1.0 / (1.0 + exp2(MATERIAL_VARIANCE_STEEPNESS * (lods - MATERIAL_HALF_VARIANCE_LOD)));

@@ -43,7 +43,8 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
     let reflected = node.weight * water_fresnel(cosine);
     var layer = quadrature.sky_layer;
     if WATER_GGX {
-      layer = water_sky_layer(1.3 * node.width * eye.tilt.sigma * (1.0 + 0.5 * node.tilt * node.tilt) * quadrature.part);
+      let interval = 1.3 * node.width * eye.tilt.sigma * (1.0 + 0.5 * node.tilt * node.tilt) * quadrature.part;
+      layer = water_sky_layer(interval);
     } else {
       // The binary logarithm of the width, which is close to 1.
       layer += (1.442695 / MIRRORED_LAYERS) * (node.width - 1.0);
@@ -105,10 +106,10 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
   if l.y <= -0.02 || between.y <= 0.01 {
     return vec3f(0.0);
   }
-  // No slope is more likely than if its direction had the variance of both together.
   let mirror_slope = -between.xz / between.y;
-  var half = surface.half_slope_difference;
+  let half = surface.half_slope_difference;
   let from_mean = mirror_slope - surface.mean;
+  // No slope is more likely than if its direction had the variance of both together.
   let most_variance = surface.variance.x + surface.variance.y + 2.0 * frame.sun_slope_variance;
   // The square of a sum is at most twice the sum of the squares.
   let farthest_square = 2.0 * (WATER_NO_GLITTER_SQUARE * most_variance + dot(half, half));

@@ -118,6 +118,8 @@ mod tests {
         let params = Params::default();
         let work = FrameWork::planned(&params, [1920, 1080]);
         assert!(work.passes().iter().all(|(_, cost)| cost.flops > 1e6 && cost.bytes > 1e6));
+        let whole = work.cost();
+        assert!(whole.flops <= 6.0e9 && whole.reads <= 60e6, "the budget of the default frame: {whole:?}");
         let text = Budget { params: &params, sizes: &[[1920, 1080]] }.to_string();
         assert!(GPU_CLASSES.iter().all(|gpu| text.contains(gpu.name)), "{text}");
     }

@@ -5,7 +5,7 @@ use super::transition::{TransitionKind, cross_fade_amplitudes};
 use crate::gpu::layout::gpu_struct;
 use crate::waves::Plan;
 use crate::waves::overlap::SeaCovariance;
-use crate::waves::tiling::{Tiling, TriangleLatticePosition};
+use crate::waves::tiling::{SHIFT_STEPS_PER_PATCH_SIDE, Tiling, TriangleLatticePosition};
 use std::f64::consts::TAU;
 
 /// Largest number of cascades (patches of sea, each with an FFT of its own) of one sea.
@@ -104,7 +104,7 @@ impl From<TriangleLatticePosition> for TileLatticePosition {
             fraction: position.cell_fraction.map(|x| x as f32),
             cell: position.cell,
             shift_key: position.tiling.shift_hash_key,
-            shift_step: if position.tiling.blends_copies { 1.0 / 64.0 } else { 0.0 },
+            shift_step: if position.tiling.blends_copies { SHIFT_STEPS_PER_PATCH_SIDE.recip() as f32 } else { 0.0 },
             unused: [0; 2],
         }
     }

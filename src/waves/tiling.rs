@@ -29,7 +29,7 @@ const MIN_WEIGHTED_BARYCENTRIC: f64 = 0.25;
 /// Mean number of copies of one cascade's patch that are blended at a point of the plane.
 pub const MEAN_BLENDED_COPIES: f64 = 1.69;
 /// Number of possible shifts of a patch copy along each axis: a shift is a multiple of 1/64 of the patch's side.
-const SHIFT_STEPS_PER_PATCH_SIDE: f64 = 64.0;
+pub const SHIFT_STEPS_PER_PATCH_SIDE: f64 = 64.0;
 /// Hash input that makes the random shifts of the copies of a patch independent of the random numbers of the waves.
 const TILE_SHIFT_HASH_SALT: u32 = 0x7469_6c65;
 /// Rotation of a patch's triangle lattice per unit of its noise key, rad: the golden angle, so that no lattices align.
