@@ -23,6 +23,11 @@ fn plan(state: &str) -> Plan {
     Plan::new(&common::params(state))
 }
 
+/// The plan of a state without bound waves, whose heights are sums over cascades.
+fn linear_plan(state: &str) -> Plan {
+    plan(&format!("{state}&order=1"))
+}
+
 /// Pseudo-random number in [0, 1): number `i` of the given stream.
 fn random(i: usize, stream: u32) -> f64 {
     f64::from(noise::pcg4d([i as u32, stream, 3, 4])[0]) / 4_294_967_296.0
@@ -90,7 +95,7 @@ fn largest_difference(
 #[test]
 fn all_waves_are_the_oracles_sea() {
     for state in SEAS {
-        let plan = plan(state);
+        let plan = linear_plan(state);
         for t_s in [0.0, 100_000.25] {
             for (cascade, sea) in plan.cascades.iter().zip(by_cascade(&plan)) {
                 let h0 = spectrum::initial_spectrum(&plan, cascade);
@@ -107,8 +112,8 @@ fn all_waves_are_the_oracles_sea() {
 fn all_waves_are_the_gpus_sea() {
     let gpu = common::gpu();
     for state in SEAS {
-        let plan = plan(state);
-        let mut sim = common::simulation(&gpu, state);
+        let plan = linear_plan(state);
+        let mut sim = common::simulation(&gpu, &format!("{state}&order=1"));
         for t_s in [0.0, 100_000.25] {
             let read = common::read(&gpu, &mut sim, t_s);
             for (c, (cascade, sea)) in plan.cascades.iter().zip(by_cascade(&plan)).enumerate() {
@@ -123,7 +128,7 @@ fn all_waves_are_the_gpus_sea() {
 #[test]
 fn cascades_add() {
     for state in SEAS {
-        let plan = plan(state);
+        let plan = linear_plan(state);
         let (all, each) = (StrongestWaves::new(&plan, usize::MAX), by_cascade(&plan));
         for ([x, z], t_s) in places(10, 5000.0) {
             let parts: f64 = each.iter().map(|sea| sea.sample_undisplaced(x, z, t_s).height_m).sum();
@@ -134,7 +139,7 @@ fn cascades_add() {
 
 #[test]
 fn overlapping_cascades_share_their_waves() {
-    let plan = plan("wind=14&n=64&overlap=1");
+    let plan = linear_plan("wind=14&n=64&overlap=1");
     let sea = StrongestWaves::new(&plan, usize::MAX).sample_undisplaced(0.0, 0.0, 50.0);
     let oracle = plan.cascades.iter().map(|cascade| {
         let h0 = spectrum::initial_spectrum(&plan, cascade);
@@ -144,6 +149,33 @@ fn overlapping_cascades_share_their_waves() {
         surface::blend_patch_copies(&plan.tiling(cascade), [0.0; 2], read).displacement[1]
     });
     assert!((sea.height_m - oracle.sum::<f64>()).abs() < 1e-5 * plan.hs_m());
+}
+
+/// The bound waves are the oracle's double sum over the cascades.
+#[test]
+fn bound_waves_are_the_oracles() {
+    for state in SEAS {
+        let (plan, linear) = (plan(state), linear_plan(state));
+        let each = by_cascade(&linear);
+        let [first, second] = [&linear, &plan].map(|plan| StrongestWaves::new(plan, usize::MAX));
+        let (bound, chop) = (plan.bound_waves(), plan.sea.choppiness_xz());
+        let mut largest = 0.0f64;
+        for (at, t_s) in places(100, 5000.0) {
+            let displacements: Vec<[f64; 3]> = each
+                .iter()
+                .map(|sea| {
+                    let here = sea.sample_undisplaced(at[0], at[1], t_s);
+                    let [x, z] = [0, 1].map(|axis| (here.world_xz[axis] - at[axis]) / chop[axis]);
+                    [x, here.height_m, z]
+                })
+                .collect();
+            let want = surface::bound_height_m(&displacements, &bound);
+            let [a, b] = [&first, &second].map(|sea| sea.sample_undisplaced(at[0], at[1], t_s).height_m);
+            assert!((b - a - want).abs() < 1e-9 * plan.hs_m(), "{state}: {} for {want}", b - a);
+            largest = largest.max(want.abs());
+        }
+        assert!(largest > 0.01 * plan.hs_m(), "{state}: {largest}");
+    }
 }
 
 #[test]

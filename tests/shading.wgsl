@@ -22,7 +22,7 @@ fn ask_fresnel(cosine: f32, kind: vec4f, indices: vec4f) -> f32 {
 }
 
 fn ask_slope(at: vec2f, size: f32) -> vec4f {
-  let slope = water_slope(at, water_round_footprint(size));
+  let slope = water_slope(at, water_displacement(at, size, false).displacement, water_round_footprint(size));
   return vec4f(slope.mean, slope.jacobian, 0.0);
 }
 

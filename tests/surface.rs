@@ -10,6 +10,7 @@ use seastate::oracle::foam::MipLevel;
 use seastate::oracle::{self, Texel, surface};
 use seastate::point::{StrongestWaves, SurfaceSample};
 use seastate::render;
+use seastate::shaders::Shaders;
 use seastate::state::Params;
 use seastate::waves::{Plan, noise};
 use std::f64::consts::TAU;
@@ -20,11 +21,12 @@ fn answer(question: Question) -> Answer {
   let q = question[0];
   let width_m = q.z / WATER_TAP_TEXEL_RATIO;
   let foot = water_footprint_of_samples(vec2f(q.w, 0.0), vec2f(0.0, width_m), q.w, width_m, width_m, false);
-  let slope = water_slope(q.xy, foot);
+  let moved = water_displacement(q.xy, q.z, false).displacement;
+  let slope = water_slope(q.xy, moved, foot);
   let vertex = water_displacement(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
-  let split = water_slope_with_carried(q.xy, foot, foot, vertex.carried, true);
+  let split = water_slope_with_carried(q.xy, moved, foot, foot, vertex.carried, true);
   return Answer(
-    vec4f(water_displacement(q.xy, q.z, false).displacement, 0.0),
+    vec4f(moved, 0.0),
     vec4f(slope.mean, slope.jacobian, 0.0),
     vec4f(slope.variance, 0.0),
     vec4f(split.mean, length(vertex.carried.slope), 0.0));
@@ -57,10 +59,14 @@ struct Bench {
 
 impl Bench {
     fn new(state: &str) -> Self {
+        Self::with_shaders(state, &wgsl::shaders())
+    }
+
+    fn with_shaders(state: &str, shaders: &Shaders) -> Self {
         let gpu = common::gpu();
         let params = params(state);
         let mut ocean = Ocean::new(&gpu, wgpu::TextureFormat::Rgba8Unorm, OutputKind::Screen, &params);
-        let mut kernel = wgsl::Kernel::new(&gpu, &wgsl::shaders(), "water/light", ANSWER);
+        let mut kernel = wgsl::Kernel::new(&gpu, shaders, "water/light", ANSWER);
         common::bind_maps(&mut kernel, &gpu, ocean.simulation());
         let mut bench = Self { gpu, ocean, params, kernel };
         bench.evolve();
@@ -160,6 +166,52 @@ fn the_drawn_surface_is_the_sea_of_heights() {
     let errors = errors(&drawn, &StrongestWaves::new(&plan, usize::MAX), &points, 20.0);
     eprintln!("between texels: {errors:?}");
     assert!(errors[0] < 2e-3 && errors[1] < 0.15 && errors[2] < 0.15, "{errors:?}");
+}
+
+/// Relative rms error of the bound waves' height that the shaders draw, against the oracle, at texels of both cascades.
+fn bound_wave_error(shaders: &Shaders) -> f64 {
+    // Every texel of the first cascade is one of the second.
+    let state = "wind=12&fetch=200&t=20&n=64&cascades=2&patch1=512&patch2=128";
+    let heights = |order: u32| -> (Bench, Vec<[f64; 2]>, Vec<f64>) {
+        let mut bench = Bench::with_shaders(&format!("{state}&order={order}"), shaders);
+        let points = texels(bench.ocean.plan(), 0, &places(2000, [0.0; 2], 12_000.0));
+        let drawn = bench.ask([0.0; 2], &points, 1e-3, 0.0).iter().map(|d| d.moved[1]).collect();
+        (bench, points, drawn)
+    };
+    let ((_, _, first), (bench, points, second)) = (heights(1), heights(2));
+    let plan = bench.ocean.plan();
+    let [linear, whole] = [1, 2].map(|order| {
+        let mut plan = plan.clone();
+        plan.sea.wave_order = order;
+        StrongestWaves::new(&plan, usize::MAX)
+    });
+    let mut sums = [0.0; 2];
+    for (i, at) in points.iter().enumerate() {
+        let [a, b] = [&linear, &whole].map(|sea| sea.sample_undisplaced(at[0], at[1], 20.0).height_m);
+        sums = [sums[0] + (second[i] - first[i] - (b - a)).powi(2), sums[1] + (b - a).powi(2)];
+    }
+    (sums[0] / sums[1]).sqrt()
+}
+
+/// Half floats give the bound waves an error of 2.5e-4; faults of 1 % are found.
+#[test]
+fn bound_waves_are_drawn() {
+    const TOLERANCE: f64 = 8e-4;
+    let right = bound_wave_error(&wgsl::shaders());
+    eprintln!("bound waves: {right:.2e}");
+    assert!(right < TOLERANCE, "{right}");
+    for (line, fault) in [
+        ("0.5 * map.bound_own.yxy * own", "0.505 * map.bound_own.yxy * own"),
+        ("longer += map.bound_with_shorter.yxy * own", "longer += 1.01 * map.bound_with_shorter.yxy * own"),
+        ("map.bound_own.yxy * own + longer", "map.bound_own.yxy * own + 0.99 * longer"),
+        ("0.5 * map.bound_own.yxy", "0.5 * map.bound_own.xxx"),
+        ("share * share * map.bound_level_m", "0.9 * map.bound_level_m"),
+    ] {
+        let shaders = wgsl::shaders().patched("water/light", line, fault);
+        let wrong = bound_wave_error(&shaders);
+        eprintln!("{fault}: {wrong:.2e}");
+        assert!(wrong > TOLERANCE, "not found: {fault}: {wrong}");
+    }
 }
 
 #[test]

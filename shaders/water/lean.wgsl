@@ -178,7 +178,7 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
   let distance_m = length(point.position);
   let dir = point.position / distance_m;
   let foot = lean_footprint(long_m, frame.pixel_angle * distance_m);
-  var slope = lean_slope(point.undisplaced, foot, carried);
+  var slope = lean_slope(point.undisplaced, water_moved(point), foot, carried);
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   // The vertical turns by so little over the Earth's curve that `v` stays a unit vector.
   let rise = dir.y + dot(dir.xz, point.position.xz) / FRAME_EARTH_RADIUS_M;

@@ -123,15 +123,16 @@ fn water_whole_covariance(map: FrameCascade, at: vec2f) -> vec3f {
   return (map.variance_factor * map.moment_unit) * moments;
 }
 
-// Slope statistics within a footprint at an undisplaced position relative to the point below the eye, m.
-fn water_slope(at: vec2f, foot: WaterFootprint) -> WaterSlope {
-  return water_slope_with_carried(at, foot, foot, WaterDerivatives(), false);
+// Slope statistics within a footprint at an undisplaced position relative to the point below the eye, m, from which the
+// waves have moved the water by `moved`, m.
+fn water_slope(at: vec2f, moved: vec3f, foot: WaterFootprint) -> WaterSlope {
+  return water_slope_with_carried(at, moved, foot, foot, WaterDerivatives(), false);
 }
 
 // Slope statistics within a footprint, with another footprint for the ripples. If `carries`, the maps are added to the
 // slopes `carried` that the mesh holds at this point; else `carried` must be 0.
 fn water_slope_with_carried(
-  at: vec2f, foot: WaterFootprint, ripple_foot: WaterFootprint, carried: WaterDerivatives, carries: bool,
+  at: vec2f, moved: vec3f, foot: WaterFootprint, ripple_foot: WaterFootprint, carried: WaterDerivatives, carries: bool,
 ) -> WaterSlope {
   var waves: WaterSlopeSums;
   waves.sums = carried;
@@ -153,7 +154,18 @@ fn water_slope_with_carried(
       water_add_waves(&waves, at, within, c, share);
     }
   }
+  waves.sums.slope += water_bound_slope(waves.sums, moved);
   return water_displaced_slope(waves);
+}
+
+// Slope that the bound waves add to the slope of the elevation, where the waves have moved the water by `moved`. Their
+// height is a sum of products of heights and displacements, so its gradient has each times the gradient of the other.
+fn water_bound_slope(sums: WaterDerivatives, moved: vec3f) -> vec2f {
+  var factors = frame.bound_slope_factors * moved.yxz;
+  // `moved` contains the bound waves, whose height does not count in the products.
+  factors.x -= frame.bound_slope_factors.x * (0.5 * dot(factors, moved.yxz) + frame.bound_level_m);
+  return (factors.x + frame.bound_elevation_gain) * sums.slope
+    + vec2f(factors.y * sums.stretch.x + factors.z * sums.shear.y, factors.y * sums.shear.x + factors.z * sums.stretch.y);
 }
 
 // Slope statistics of the displaced surface from sums over its waves.

@@ -50,6 +50,9 @@ struct WaterDisplacement {
 // the slopes that a vertex carries there.
 fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplacement {
   var sum = vec3f(0.0);
+  // Height of the bound waves, and what a shorter wave is multiplied with in it (src/waves/second_order.rs).
+  var bound_m = 0.0;
+  var longer = vec3f(0.0, frame.bound_elevation_gain, 0.0);
   var out: WaterDisplacement;
   let log_spacing = log2(max(spacing, 1e-6));
   let inverse_step = water_inverse_carrying_step(at);
@@ -61,6 +64,9 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
     if share <= 0.0 {
       continue;
     }
+    // The two seas of a cross-fade have no bound waves in common.
+    longer = select(longer, vec3f(0.0, frame.bound_elevation_gain, 0.0), c == frame.fading_cascade_count);
+    var own = vec3f(0.0);
     let smoothness = saturate(-2.0 * lod);
     let carried = select(0.0, water_carried_fraction(map, inverse_step), carries);
     var next = tile_blend(map.tile_position, at, carried > 0.0);
@@ -90,9 +96,13 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
       } else {
         d = share * textureSampleLevel(displacement_map, trilinear_sampler, uv, map.layer, lod);
       }
-      sum += blend.weight.x * d.xyz;
+      own += blend.weight.x * d.xyz;
     }
+    sum += own;
+    bound_m += dot(own, 0.5 * map.bound_own.yxy * own + longer) + share * share * map.bound_level_m;
+    longer += map.bound_with_shorter.yxy * own;
   }
+  sum.y += bound_m;
   out.displacement = sum * vec3f(frame.choppiness.x, 1.0, frame.choppiness.y);
   return out;
 }

@@ -27,6 +27,12 @@ struct WaterPoint {
   height: f32,
 }
 
+// Distance, m, by which the waves have moved the water at a point.
+fn water_moved(point: WaterPoint) -> vec3f {
+  let sideways = point.position.xz - point.undisplaced;
+  return vec3f(sideways.x, point.height, sideways.y);
+}
+
 // Adds to slope statistics the change of the slope across the pixel, because slopes that change within a pixel glitter
 // like a rough surface (Tokuyoshi and Kaplanyan 2019). `along_x` tells that the pixel's longer side is dx.
 fn water_add_slope_change(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along_x: bool) -> WaterSlope {
@@ -56,7 +62,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
   if WATER_POINT_SAMPLES {
     let shown = water_round_footprint(mesh_spacing(length(point.undisplaced)));
     let no_ripples = water_round_footprint(1e6);
-    around = water_slope_with_carried(point.undisplaced, shown, no_ripples, WaterDerivatives(), false);
+    around = water_slope_with_carried(point.undisplaced, water_moved(point), shown, no_ripples, WaterDerivatives(), false);
     around.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   }
 

@@ -3,6 +3,7 @@
 use super::estimate::EstimateWithError;
 use crate::gpu::{Gpu, readback};
 use crate::oracle::foam::displacement_jacobian;
+use crate::oracle::surface::bound_height_m;
 use crate::oracle::{self, transform};
 use crate::shaders::Shaders;
 use crate::sim::{MAX_FOAM_STEPS, MapsF32, Simulation};
@@ -227,17 +228,21 @@ pub fn fourier_transform_of_heights(n: usize, displacement: &[[f32; 4]]) -> Vec<
 /// sum of a random texel of each.
 pub fn visit_surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f64, f64)) {
     let n = maps.n as u32;
+    let bound = plan.bound_waves();
+    let mut displacements = vec![[0.0; 3]; maps.cascade_count()];
     for i in 0..SURFACE_POINTS_PER_SEED {
         let (mut eta, mut strain) = (0.0, [0.0; 3]);
         for c in 0..maps.cascade_count() {
             let at = noise::pcg4d([i, c as u32, plan.sea.seed, 17]);
             let at = ((at[0] % n) * n + at[1] % n) as usize;
             let (d, g) = (maps.displacement(c)[at], maps.gradients(c)[at]);
-            eta += f64::from(d[1]);
+            displacements[c] = [d[0], d[1], d[2]].map(f64::from);
+            eta += displacements[c][1];
             strain[0] += f64::from(g[2]);
             strain[1] += f64::from(g[3]);
             strain[2] += f64::from(d[3]);
         }
+        eta += bound_height_m(&displacements, &bound);
         visit(eta, displacement_jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.choppiness_xz()));
     }
 }

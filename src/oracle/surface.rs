@@ -2,6 +2,7 @@
 //! shaders/foam/foam.wgsl.
 
 use super::Texel;
+use crate::waves::second_order::{BoundWaves, ProductFactors};
 use crate::waves::tiling::Tiling;
 
 /// Displacement, slope and strain of the surface at an undisplaced point, before multiplication by the chop factors.
@@ -42,4 +43,20 @@ pub fn blend_patch_copies(tiling: &Tiling, at: [f64; 2], read: impl Fn([f64; 2])
         });
     }
     out
+}
+
+/// Height, m, of the bound waves of the second order at a point, from the displacements (Dx, eta, Dz) of all cascades
+/// there, longest waves first: the double sum over pairs of cascades (src/waves/second_order.rs).
+pub fn bound_height_m(displacements: &[[f64; 3]], bound: &BoundWaves) -> f64 {
+    let product = |factors: ProductFactors, a: [f64; 3], b: [f64; 3]| {
+        factors.elevation * a[1] * b[1] + factors.displacement * (a[0] * b[0] + a[2] * b[2])
+    };
+    let mut sum = 0.0;
+    for (i, (a, waves)) in displacements.iter().zip(&bound.cascades).enumerate() {
+        sum += waves.level_m + bound.elevation_gain * a[1] + 0.5 * product(waves.own, *a, *a);
+        for b in &displacements[i + 1..] {
+            sum += product(waves.with_shorter, *a, *b);
+        }
+    }
+    sum
 }

@@ -7,6 +7,7 @@ use crate::gpu::layout::gpu_struct;
 use crate::sim::Maps;
 use crate::sim::maps::{FoamLevel, MAX_DRAWN_CASCADES, MapCascade, TileLatticePosition};
 use crate::waves::foam::FOAM_LEVEL_COUNT;
+use crate::waves::second_order::{CascadeBoundWaves, ProductFactors};
 use crate::waves::slopes::SlopeVariance;
 use std::f64::consts::PI;
 
@@ -36,6 +37,11 @@ gpu_struct! {
         /// Position of the point below the eye in a lattice of triangles. Each corner has a randomly shifted copy of
         /// the patch; the copies are blended, so that the cascade does not repeat visibly.
         pub tile_position: TileLatticePosition,
+        /// Factors p and q, 1/m, on products of two elevations and of two horizontal displacements of this cascade, in
+        /// the height of the bound waves (src/waves/second_order.rs).
+        pub bound_own: [f32; 2],
+        /// The same factors for products of a wave of this cascade with one of a finer cascade, 1/m.
+        pub bound_with_shorter: [f32; 2],
         /// Texture coordinates (u along x, v along z), in the cascade's maps, of the point straight below the eye.
         pub uv_below_eye: [f32; 2],
         /// Reciprocal of the side of the cascade's square patch, for ripples of the shrunk patch, 1/m.
@@ -59,7 +65,8 @@ gpu_struct! {
         pub variance_factor: f32,
         /// Index of the cascade's layer in the array textures of displacement, gradients and slope moments.
         pub layer: u32,
-        unused: u32,
+        /// Height that belongs to the bound waves of this cascade, for which the mean level stays that of still water, m.
+        pub bound_level_m: f32,
     }
 }
 
@@ -135,11 +142,19 @@ gpu_struct! {
         /// Factor on the sides of the area over which a pixel averages the waves: 1 for the usual filtered picture, 0
         /// for the point samples of a reference picture.
         pub footprint_scale: f32,
-        unused: u32,
+        /// Number of entries at the start of `cascades` that belong to the old sea of a cross-fade.
+        pub fading_cascade_count: u32,
         /// Mean densities of air molecules (x) and aerosol (y) on a straight path from the eye down to the sea, relative
         /// to those at the sea.
         pub mean_air_density: [f32; 2],
-        unused_2: [u32; 2],
+        /// Fraction by which bound waves increase the elevation of the waves of first order.
+        pub bound_elevation_gain: f32,
+        /// Sum of `bound_level_m` over the cascades of the current sea, m.
+        pub bound_level_m: f32,
+        /// Factors with which the slope of the bound waves follows from all waves at a point: on the height, and on the
+        /// drawn horizontal displacement along x and z, 1/m.
+        pub bound_slope_factors: [f32; 3],
+        unused: u32,
         /// Polar lattice of the water mesh: positions of its vertices before displacement.
         pub mesh_lattice: MeshLattice,
         /// Cascades of all drawn seas, then their ripple layers (shrunk copies of cascades); the rest is unused.
@@ -167,7 +182,18 @@ impl FrameCascade {
             slope_scale: 1.0,
             variance_factor: cascade.cross_fade_variance_factor,
             layer: cascade.layer,
-            unused: 0,
+            ..Self::default()
+        }
+    }
+
+    /// A copy with the bound waves of the cascade. In a cross-fade its waves have `amplitude` times their height.
+    fn with_bound_waves(self, bound: &CascadeBoundWaves, amplitude: f32) -> Self {
+        let factors = |f: ProductFactors| [f.elevation as f32, f.displacement as f32];
+        Self {
+            bound_own: factors(bound.own),
+            bound_with_shorter: factors(bound.with_shorter),
+            bound_level_m: amplitude * amplitude * bound.level_m as f32,
+            ..self
         }
     }
 
@@ -210,11 +236,14 @@ impl FrameUniform {
     pub fn new(scene: &Scene, maps: &Maps, mesh: &Mesh, size: [u32; 2]) -> Self {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
         let below_eye = [view.eye.x, view.eye.z];
+        let bound = &maps.bound_waves[1];
         let n = f64::from(maps.n);
         let (shown, residual) = ripple_layers(scene, maps);
         let ripples =
             shown.iter().map(|(cascade, fraction)| FrameCascade::new_ripples(cascade, *fraction, below_eye, n));
-        let cascades = maps.cascades.iter().map(|cascade| FrameCascade::new(cascade, below_eye, n));
+        let cascades = maps.cascades.iter().zip(maps.bound_waves_of_cascades()).map(|(cascade, bound)| {
+            FrameCascade::new(cascade, below_eye, n).with_bound_waves(&bound, cascade.cross_fade_amplitude_factor)
+        });
         let levels =
             maps.foam_levels.iter().map(|level| FrameFoamGrid::new(level, below_eye, maps.foam_cells_per_side));
         let [tx, ty] = view.tan_half_fov;
@@ -244,9 +273,12 @@ impl FrameUniform {
             mean_foam: scene.mean_foam as f32,
             foam_amount: look.surface.foam.coverage_factor as f32,
             footprint_scale: 1.0,
-            unused: 0,
+            fading_cascade_count: maps.fading_cascade_count as u32,
             mean_air_density: AIR_SCALE_HEIGHTS_M.map(|scale_m| mean_density_below(view.eye.y, scale_m) as f32),
-            unused_2: [0; 2],
+            bound_elevation_gain: bound.elevation_gain as f32,
+            bound_level_m: bound.cascades.iter().map(|c| c.level_m).sum::<f64>() as f32,
+            bound_slope_factors: bound_slope_factors(bound.mean, sea.choppiness),
+            unused: 0,
             mesh_lattice: mesh.lattice,
             cascades: padded_array(cascades.chain(ripples)),
             foam_levels: padded_array(levels),
@@ -260,6 +292,13 @@ impl FrameUniform {
         let forward = std::array::from_fn(|i| self.forward[i] - x * self.right[i] - y * self.up[i]);
         Self { clip_from_relative: moved, forward, footprint_scale: 0.0, ..self }
     }
+}
+
+/// WGSL `bound_slope_factors` for the factors `mean` of the whole sea. The shader knows the horizontal displacement only
+/// after multiplication by the choppiness, so that its part is left out along an axis without choppiness.
+fn bound_slope_factors(mean: ProductFactors, choppiness: [f64; 2]) -> [f32; 3] {
+    let [x, z] = choppiness.map(|chop| if chop > 0.05 { mean.displacement / chop } else { 0.0 });
+    [mean.elevation, x, z].map(|v| v as f32)
 }
 
 /// An array that starts with the given values and is filled up with defaults.

@@ -5,6 +5,7 @@ use super::transition::{TransitionKind, cross_fade_amplitudes};
 use crate::gpu::layout::gpu_struct;
 use crate::waves::Plan;
 use crate::waves::overlap::SeaCovariance;
+use crate::waves::second_order::{BoundWaves, CascadeBoundWaves};
 use crate::waves::tiling::{SHIFT_STEPS_PER_PATCH_SIDE, Tiling, TriangleLatticePosition};
 use std::f64::consts::TAU;
 
@@ -65,6 +66,8 @@ pub struct Maps {
     pub cascades: Vec<MapCascade>,
     /// Number of entries at the start of `cascades` that belong to the old sea of a cross-fade; 0 without a cross-fade.
     pub fading_cascade_count: usize,
+    /// Bound waves of the second order of the sea that fades out in a cross-fade, and of the current sea.
+    pub bound_waves: [BoundWaves; 2],
     /// Cell sizes and positions of the foam levels, finest level first.
     pub foam_levels: Vec<FoamLevel>,
     /// Number of cells along a side of a foam level (one of the nested square foam grids).
@@ -132,6 +135,7 @@ impl Maps {
             period_fraction_u32: 0,
             cascades: MapCascade::all_of_plan(plan, resources),
             fading_cascade_count: 0,
+            bound_waves: [BoundWaves::default(), plan.bound_waves()],
             foam_levels: Vec::new(),
             foam_cells_per_side: resources.foam_n,
             n: resources.n,
@@ -144,6 +148,15 @@ impl Maps {
         &self.cascades[self.fading_cascade_count..]
     }
 
+    /// Bound waves of the second order of each entry of `cascades`.
+    pub fn bound_waves_of_cascades(&self) -> impl Iterator<Item = CascadeBoundWaves> + '_ {
+        let of_sea = |sea: usize, count| {
+            (0..count).map(move |i| self.bound_waves[sea].cascades.get(i).copied().unwrap_or_default())
+        };
+        let fading = self.fading_cascade_count;
+        of_sea(0, fading).chain(of_sea(1, self.cascades.len() - fading))
+    }
+
     /// Updates the drawn cascades when a transition to `plan`, with equal FFT size, starts. A cross-fade adds those of
     /// the new sea; `Amplitudes` replaces those of the current sea, and `Immediate` all; other kinds change nothing.
     pub(super) fn start_transition(&mut self, plan: &Plan, resources: &Resources, kind: TransitionKind) {
@@ -152,11 +165,13 @@ impl Maps {
             TransitionKind::Immediate => {
                 self.cascades.clear();
                 self.fading_cascade_count = 0;
+                self.bound_waves[1] = plan.bound_waves();
             }
             TransitionKind::Amplitudes => self.cascades.truncate(self.fading_cascade_count),
             TransitionKind::CrossFade => {
                 self.end_cross_fade();
                 self.fading_cascade_count = self.cascades.len();
+                self.bound_waves[0] = std::mem::replace(&mut self.bound_waves[1], plan.bound_waves());
             }
         }
         self.cascades.extend(MapCascade::all_of_plan(plan, resources));

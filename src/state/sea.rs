@@ -195,6 +195,9 @@ parameters! {
         /// Precision of the integral that normalises a directional spreading without a closed form: number of 15-point
         /// quadrature panels in each of its pieces, of which there are up to six.
         spreading_norm_panels: u32 = 2 => ("normsteps", "Quadrature steps", "", integer(1, 64)),
+        /// Order of the wave theory. 1: independent waves, linear in Lagrangian form. 2: adds the bound waves of all pairs
+        /// of waves, which sharpen crests and flatten troughs (Longuet-Higgins 1963; Sharma and Dean 1981).
+        wave_order: u32 = 2 => ("order", "Order", "", integer(1, 2)),
         /// Choppiness, the factor on the horizontal displacement: 1 is linear theory, 0 a sum of sines without sharp
         /// crests.
         chop: f64 = 1.0 => ("chop", "Chop", "", number(0.0, 2.0)),

@@ -9,7 +9,7 @@ use crate::state::params::{FoamSettings, Sea};
 pub enum SeaChange {
     /// Formation or decay of foam: only the parameters of the foam pass are updated.
     Foam,
-    /// Chop (horizontal displacement) or water level: uniform buffers and the sea heights computed on the CPU (for
+    /// Order of the wave theory, chop (horizontal displacement) or water level: uniform buffers and the sea heights computed on the CPU (for
     /// boats, buoys and the camera) are updated.
     Surface,
     /// The waves themselves: a new [`Plan`](super::Plan), the spectrum tables, the wave amplitudes at time 0 and the
@@ -27,8 +27,14 @@ impl SeaChange {
     pub fn between_seas(a: &Sea, b: &Sea) -> Option<Self> {
         // A parameter of the sea that is not reset here counts as a change of the waves.
         let without_foam = |sea: &Sea| Sea { foam: FoamSettings::default(), ..sea.clone() };
-        let waves =
-            |sea: &Sea| Sea { chop: 0.0, chop_x: 0.0, chop_z: 0.0, still_water_level_m: 0.0, ..without_foam(sea) };
+        let waves = |sea: &Sea| Sea {
+            wave_order: 1,
+            chop: 0.0,
+            chop_x: 0.0,
+            chop_z: 0.0,
+            still_water_level_m: 0.0,
+            ..without_foam(sea)
+        };
         if a == b {
             None
         } else if without_foam(a) == without_foam(b) {
@@ -68,7 +74,7 @@ mod tests {
             let change = SeaChange::between(&Params::default(), &changed(field.key));
             let expected = match (field.key, field.group) {
                 ("whitecaps" | "foamthreshold" | "foambias" | "foamdecay" | "foamrate", _) => Some(SeaChange::Foam),
-                ("chop" | "chopx" | "chopz" | "level", _) => Some(SeaChange::Surface),
+                ("order" | "chop" | "chopx" | "chopz" | "level", _) => Some(SeaChange::Surface),
                 ("loop", _) | (_, Group::Sea | Group::SecondSystem | Group::Water | Group::Grid) => {
                     Some(SeaChange::Waves)
                 }
@@ -81,7 +87,7 @@ mod tests {
     #[test]
     fn a_plan_of_another_surface_is_the_plan_of_its_state() {
         let plan = Plan::new(&Params::default());
-        for key in ["chop", "chopz", "level", "foamdecay", "whitecaps", "foambias"] {
+        for key in ["order", "chop", "chopz", "level", "foamdecay", "whitecaps", "foambias"] {
             let params = changed(key);
             assert_eq!(plan.with_surface_and_foam_of(&params.sea), Plan::new(&params), "{key}");
         }

@@ -77,6 +77,25 @@ impl SpectrumIntegrals {
         (1..self.k.len()).map(piece).sum()
     }
 
+    /// Divides the waves with wave numbers from `low` to `high` (rad/m) into `count` bins of about equal variance.
+    /// Returns for each bin the mean wave number, weighted by variance (rad/m), and the variance (m^2).
+    pub fn bins_of_equal_variance(&self, low: f64, high: f64, count: usize) -> Vec<(f64, f64)> {
+        let total = self.m0_between_wave_numbers(low, high);
+        let mut bins = vec![[0.0; 2]; count];
+        let mut below = 0.0;
+        for i in 1..self.k.len() {
+            let (a, b) = (self.k[i - 1].max(low), self.k[i].min(high));
+            if a < b && total > 0.0 {
+                let variance = self.m0_between_wave_numbers(a, b);
+                let bin = ((below + 0.5 * variance) / total * count as f64) as usize;
+                let bin = &mut bins[bin.min(count - 1)];
+                *bin = [bin[0] + variance * 0.5 * (a + b), bin[1] + variance];
+                below += variance;
+            }
+        }
+        bins.into_iter().filter(|[_, variance]| *variance > 0.0).map(|[sum, v]| (sum / v, v)).collect()
+    }
+
     /// Increase of the integral `which` (0 elevation variance, m^2; 1 mean square slope; 2 strain variance) from wave
     /// number `low` to `high` (rad/m), interpolated linearly between the stored frequencies.
     fn integral_between_wave_numbers(&self, which: usize, low: f64, high: f64) -> f64 {

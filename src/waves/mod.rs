@@ -18,6 +18,7 @@ pub mod overlap;
 pub mod plan;
 pub mod quadrature;
 pub mod record;
+pub mod second_order;
 pub mod slopes;
 pub mod spectra;
 pub mod spreading;

@@ -4,6 +4,7 @@
 use super::cascades;
 use super::dispersion::Dispersion;
 use super::energy::SpectrumIntegrals;
+use super::second_order::{BoundWaveFit, BoundWaves, CascadeBoundWaves};
 use super::system::{self, WaveSystem};
 use super::tiling::Tiling;
 use crate::state::params::{Params, Sea, SpreadKind};
@@ -54,6 +55,9 @@ pub struct Plan {
     pub notices: Vec<String>,
     /// Integrals of the total spectrum of all wave systems, from which the variance between two wave numbers follows.
     pub spectrum_integrals: Arc<SpectrumIntegrals>,
+    /// Fitted coefficients of the waves of second order. [`Plan::bound_waves`] applies the parameters `order` and
+    /// `chop` to them.
+    pub bound_wave_fit: BoundWaveFit,
 }
 
 impl PartialEq for Plan {
@@ -118,7 +122,14 @@ impl Plan {
             downwind,
             notices,
             spectrum_integrals: energy,
+            bound_wave_fit: BoundWaveFit::default(),
         };
+        plan.bound_wave_fit = BoundWaveFit::new(&plan);
+        if plan.sea.wave_order == 2 && plan.bound_wave_fit.is_limited {
+            plan.notices.push(
+                "the waves are too high for second-order theory in this depth: their bound waves are reduced".into(),
+            );
+        }
         let captured_fraction = plan.resolved_variance_fraction();
         if captured_fraction < 0.99 && !plan.is_calm() {
             plan.notices.push(format!(
@@ -219,6 +230,17 @@ impl Plan {
     /// Significant wave height 4 sqrt(m0) of the total spectrum, m, including waves outside the cascades.
     pub fn hs_m(&self) -> f64 {
         4.0 * self.spectrum_integrals.m0().sqrt()
+    }
+
+    /// Bound waves of the second order for the choppiness of the sea; all zero for a sea of first order.
+    pub fn bound_waves(&self) -> BoundWaves {
+        if self.sea.wave_order < 2 {
+            return BoundWaves {
+                cascades: vec![CascadeBoundWaves::default(); self.cascades.len()],
+                ..BoundWaves::default()
+            };
+        }
+        self.bound_wave_fit.with_choppiness(self.sea.choppiness_xz())
     }
 
     /// Tiling with which the patch of `cascade` covers the plane: a blend of shifted copies, or plain repetition.

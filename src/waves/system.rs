@@ -4,6 +4,7 @@ use super::spectra::{self, FrequencySpectrum};
 use super::spreading::{CosineFactor, Spreading, SpreadingAtFrequency};
 use crate::files::measured::MaximumEntropyDistribution;
 use crate::state::params::{Sea, WaveSystemParams};
+use std::f64::consts::TAU;
 
 /// One wave system of a planned sea, such as the local wind sea or the swell.
 #[derive(Clone, Debug)]
@@ -74,6 +75,28 @@ impl WaveSystem {
         match self.measured_directional_distribution(omega) {
             Some(mem) => mem.density(k[1].atan2(k[0])),
             None => self.spreading.density(omega, angle_from_travel(self.travel_direction, k)),
+        }
+    }
+
+    /// Energy at the angular frequency `omega` (rad/s) in each of `directions` (unit vectors (x, z) of travel), relative
+    /// to one another.
+    pub fn relative_direction_densities(&self, omega: f64, directions: &[[f64; 2]]) -> Vec<f64> {
+        match self.directional_distribution(omega) {
+            DirectionalDistribution::Measured(mem) => {
+                directions.iter().map(|[x, z]| mem.density(z.atan2(*x))).collect()
+            }
+            DirectionalDistribution::Lobes(at) => {
+                let panels = self.spreading.spreading_norm_panels;
+                let norms: Vec<f64> =
+                    at.lobes.iter().map(|(share, lobe)| share * lobe.normalising_factor(panels)).collect();
+                let density = |k: &[f64; 2]| {
+                    let theta = angle_from_travel(self.travel_direction, *k);
+                    let lobes = at.lobes.iter().zip(&norms);
+                    let sum: f64 = lobes.map(|((_, lobe), norm)| norm * lobe.unnormalised_density(theta)).sum();
+                    sum + at.isotropic_fraction / TAU
+                };
+                directions.iter().map(density).collect()
+            }
         }
     }
 

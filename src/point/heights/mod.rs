@@ -9,6 +9,8 @@
 //! - **Displacement**: the surface is drawn at x = x0 + lambda D(x0) (docs/sea.md, "Synthesis").
 //!   [`StrongestWaves::sample`] inverts this equation for a point x of the world;
 //!   [`StrongestWaves::sample_undisplaced`] takes x0.
+//! - **Second order**: heights, normals and velocities contain the bound waves (`waves::second_order`) of the selected
+//!   waves, unless the sea has `order=1`.
 //! - **Tiling**: like the drawn sea, the sum blends shifted copies of each patch (`tiling`). Derivatives are those of
 //!   the blend.
 //! - **Cost**: about 11 ns per wave, copy and evaluation with the vector units of every x86-64. A point sees 1.7 copies
@@ -27,6 +29,7 @@
 
 use crate::waves::Plan;
 use crate::waves::lattice::period_fraction_u32;
+use crate::waves::plan::Cascade;
 use waves::{CandidateWave, PatchWaves, WaveSums, candidate_waves};
 
 mod search;
@@ -56,6 +59,8 @@ mod waves;
 #[derive(Clone, Debug, PartialEq)]
 pub struct StrongestWaves {
     patches: Vec<PatchWaves>,
+    /// Fraction by which bound waves increase the elevation (`BoundWaves::elevation_gain`).
+    elevation_gain: f64,
     wave_count: usize,
     /// Square roots of the chop factors lambda (factors on the horizontal displacement) along x and z.
     sqrt_chop: [f64; 2],
@@ -123,10 +128,18 @@ impl StrongestWaves {
         let slope = |w: &CandidateWave| {
             w.variance() * f64::from(w.squared_wave_vector_index()) * plan.cascades[w.cascade_index].dk().powi(2)
         };
-        let patches: Vec<PatchWaves> = (plan.cascades.iter().enumerate())
-            .map(|(i, cascade)| PatchWaves::new(plan, cascade, waves.iter().filter(|w| w.cascade_index == i)))
-            .filter(|patch| !patch.waves_by_four.is_empty())
-            .collect();
+        let bound_waves = plan.bound_waves();
+        let patch = |(i, cascade): (usize, &Cascade)| {
+            let of_cascade = |waves: &'_ [CandidateWave]| {
+                waves.iter().filter(|w| w.cascade_index == i).fold(0.0, |sum, w| sum + w.variance())
+            };
+            let (kept, omitted) = (of_cascade(&waves), of_cascade(&left_out));
+            let mut bound = bound_waves.cascades.get(i).copied().unwrap_or_default();
+            bound.level_m *= kept / (kept + omitted).max(f64::MIN_POSITIVE);
+            PatchWaves::new(plan, cascade, bound, waves.iter().filter(|w| w.cascade_index == i))
+        };
+        let patches: Vec<PatchWaves> =
+            (plan.cascades.iter().enumerate()).map(patch).filter(|patch| !patch.waves_by_four.is_empty()).collect();
         let displacement_m2 = waves.iter().map(|w| {
             let orbit = plan
                 .wave_at_squared_index(&plan.cascades[w.cascade_index], w.squared_wave_vector_index())
@@ -137,6 +150,7 @@ impl StrongestWaves {
         Self {
             longest_step_m: 2.0 * sqrt_chop[0].max(sqrt_chop[1]) * displacement_m2.sum::<f64>().sqrt(),
             patches,
+            elevation_gain: bound_waves.elevation_gain,
             wave_count: count,
             sqrt_chop,
             still_water_level_m: plan.sea.still_water_level_m,
@@ -206,18 +220,19 @@ impl StrongestWaves {
     /// Makes the sample of the particle at the undisplaced position `point - offset` from its wave sums.
     fn surface_sample(&self, point: [f64; 2], offset: [f64; 2], sums: &WaveSums, converged: bool) -> SurfaceSample {
         let [lx, lz] = self.sqrt_chop.map(|r| r * r);
-        let [xx, zz, cross] = sums.strain;
-        let [tile_xx, tile_zz, tile_xz, tile_zx] = sums.blend_weight_strain;
-        let [xx, zz, xz, zx] = [xx + tile_xx, zz + tile_zz, cross + tile_xz, cross + tile_zx];
-        let [sx, sz] = [0, 1].map(|axis| sums.slope[axis] + sums.blend_weight_slope[axis]);
+        let [xx, zz, xz, zx] = sums.whole_strain();
+        let [bound_m, bound_x, bound_z, bound_m_s] = sums.bound_height_m;
+        let [sx, sz] = sums.whole_slope();
+        let [sx, sz] = [sx + bound_x, sz + bound_z];
+        let [ux, uy, uz] = sums.orbital_velocity_m_s;
         // Jacobian and normal by docs/sea.md, "Synthesis".
         let jacobian = (1.0 + lx * xx) * (1.0 + lz * zz) - lx * lz * xz * zx;
         let normal = [-(sx * (1.0 + lz * zz) - sz * lz * zx), jacobian, -(sz * (1.0 + lx * xx) - sx * lx * xz)];
         let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
         SurfaceSample {
-            height_m: self.still_water_level_m + sums.elevation_m,
+            height_m: self.still_water_level_m + sums.elevation_m + bound_m,
             normal: if length > 0.0 { normal.map(|c| c / length) } else { [0.0, 1.0, 0.0] },
-            velocity_m_s: sums.orbital_velocity_m_s,
+            velocity_m_s: [ux, uy + bound_m_s, uz],
             undisplaced_xz: [point[0] - offset[0], point[1] - offset[1]],
             // Offset and displacement nearly cancel. Taking their difference first keeps the digits of far points.
             world_xz: [

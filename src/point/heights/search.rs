@@ -51,7 +51,7 @@ impl StrongestWaves {
             }
             let next_e = [e[0] + scale * step[0], e[1] + scale * step[1]];
             let copy_sums = self.copy_sums(point, offset(next_e), time, &blends);
-            let (next, _) = copy_sums.blended(&blends);
+            let (next, _) = copy_sums.blended(&blends, &self.patches, self.elevation_gain);
             let next_g = gradient(next_e, &next);
             let falls = value(next_e, &next) <= value(e, &at) + ARMIJO_DECREASE_FRACTION * scale * dot(g, step);
             let closes =
@@ -59,7 +59,7 @@ impl StrongestWaves {
             if falls || closes {
                 (e, scale) = (next_e, 1.0);
                 blends = self.patch_copy_blends(point, offset(e));
-                at = match copy_sums.blended(&blends) {
+                at = match copy_sums.blended(&blends, &self.patches, self.elevation_gain) {
                     (sums, true) => sums,
                     _ => self.wave_sums_at(point, offset(e), time, &blends),
                 };
@@ -109,7 +109,7 @@ impl StrongestWaves {
         time: u32,
         blends: &PatchCopyBlends,
     ) -> WaveSums {
-        self.copy_sums(point, offset, time, blends).blended(blends).0
+        self.copy_sums(point, offset, time, blends).blended(blends, &self.patches, self.elevation_gain).0
     }
 
     /// Wave sums of each patch copy that has a weight above 0 in `blends` or in the blend at the undisplaced position

@@ -2,6 +2,7 @@
 
 use crate::state::params::MAX_CASCADES;
 use crate::waves::plan::{Cascade, Plan};
+use crate::waves::second_order::{CascadeBoundWaves, ProductFactors};
 use crate::waves::statistics::{initial_amplitude, lattice_indices};
 use crate::waves::table::{SpectrumTable, entry_index};
 use crate::waves::tiling::{PatchCopy, Tiling};
@@ -16,6 +17,8 @@ pub(super) struct PatchWaves {
     pub(super) tiling: Tiling,
     pub(super) dk_rad_m: f64,
     pub(super) waves_by_four: Vec<FourWaves>,
+    /// Bound waves of the second order of this cascade; its level is that of the selected waves.
+    pub(super) bound: CascadeBoundWaves,
 }
 
 /// Four travelling waves eta = Re[h e^{i (k.x - omega t)}], one per lane of the CPU's vector units. h is twice the
@@ -95,9 +98,54 @@ pub(super) struct WaveSums {
     /// Strain (dDx/dx, dDz/dz, dDx/dz, dDz/dx), to be added to `strain`, that arises because the weights of the
     /// blended patch copies vary in space.
     pub(super) blend_weight_strain: [f64; 4],
+    /// Height of the bound waves of the second order, m, with its derivatives along x and z (m/m) and in time (m/s).
+    pub(super) bound_height_m: [f64; 4],
 }
 
 impl WaveSums {
+    /// Slopes d eta/dx and d eta/dz of the elevation.
+    pub(super) fn whole_slope(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.slope[axis] + self.blend_weight_slope[axis])
+    }
+
+    /// Strain (dDx/dx, dDz/dz, dDx/dz, dDz/dx) of the horizontal displacement.
+    pub(super) fn whole_strain(&self) -> [f64; 4] {
+        let [xx, zz, cross] = self.strain;
+        let [tile_xx, tile_zz, tile_xz, tile_zx] = self.blend_weight_strain;
+        [xx + tile_xx, zz + tile_zz, cross + tile_xz, cross + tile_zx]
+    }
+
+    /// Adds the sums over other waves at the same point.
+    fn add(&mut self, other: &Self) {
+        self.elevation_m += other.elevation_m;
+        add_scaled(&mut self.slope, 1.0, other.slope);
+        add_scaled(&mut self.displacement_m, 1.0, other.displacement_m);
+        add_scaled(&mut self.strain, 1.0, other.strain);
+        add_scaled(&mut self.orbital_velocity_m_s, 1.0, other.orbital_velocity_m_s);
+        self.displacement_potential_m2 += other.displacement_potential_m2;
+        add_scaled(&mut self.blend_weight_slope, 1.0, other.blend_weight_slope);
+        add_scaled(&mut self.blend_weight_strain, 1.0, other.blend_weight_strain);
+        add_scaled(&mut self.bound_height_m, 1.0, other.bound_height_m);
+    }
+
+    /// Adds the bound waves of a cascade whose waves have the sums `own`, with themselves and with those of longer
+    /// cascades (src/waves/second_order.rs). `longer` holds the latter times their factors; this cascade is added to it.
+    fn add_bound_waves(&mut self, own: &Self, bound: &CascadeBoundWaves, longer: &mut ScaledWaves) {
+        let waves = ScaledWaves::new(own, ProductFactors { elevation: 1.0, displacement: 1.0 });
+        let mut others = ScaledWaves::new(own, bound.own);
+        let half: f64 = 0.5 * dot(waves.value, others.value);
+        others.add(longer);
+        self.bound_height_m[0] += bound.level_m + half + dot(waves.value, longer.value);
+        let product =
+            |slope: [f64; 3], others_slope: [f64; 3]| dot(slope, others.value) + dot(waves.value, others_slope);
+        // The product rule: (w (o w / 2 + l))' = w' (o w + l) + w l'.
+        for axis in 0..2 {
+            self.bound_height_m[1 + axis] += product(waves.along[axis], longer.along[axis]);
+        }
+        self.bound_height_m[3] += product(waves.per_s, longer.per_s);
+        longer.add(&ScaledWaves::new(own, bound.with_shorter));
+    }
+
     /// Adds the wave sums of one of the overlapping copies of the patch, multiplied by the copy's weight. By the
     /// product rule, slope and strain also get the height and the displacement times the gradient of the weight.
     fn add_weighted_copy(&mut self, copy_sums: &Self, copy: &PatchCopy) {
@@ -113,33 +161,82 @@ impl WaveSums {
     }
 }
 
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
 fn add_scaled<const N: usize>(sum: &mut [f64; N], factor: f64, term: [f64; N]) {
     sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += factor * term);
 }
 
 impl PatchCopySums {
-    /// Returns the wave sums of all patches, blended with the weights in `blends`, and a flag that is false if the sums
-    /// of a copy with a weight above 0 are missing.
-    pub(super) fn blended(&self, blends: &PatchCopyBlends) -> (WaveSums, bool) {
+    /// Returns the wave sums of all `patches`, blended with the weights in `blends`, and a flag that is false if the
+    /// sums of a copy with a weight above 0 are missing. `elevation_gain` is that of the bound waves.
+    pub(super) fn blended(
+        &self,
+        blends: &PatchCopyBlends,
+        patches: &[PatchWaves],
+        elevation_gain: f64,
+    ) -> (WaveSums, bool) {
         let (mut all, mut complete) = (WaveSums::default(), true);
-        for ((blend, known), sums) in blends.iter().zip(&self.copy_blends).zip(&self.sums) {
+        let mut longer = ScaledWaves { value: [elevation_gain, 0.0, 0.0], ..ScaledWaves::default() };
+        for (((blend, known), sums), patch) in blends.iter().zip(&self.copy_blends).zip(&self.sums).zip(patches) {
+            let mut own = WaveSums::default();
             for copy in blend.iter().filter(|c| c.weight > 0.0) {
                 match known
                     .iter()
                     .zip(sums)
                     .find_map(|(k, sums)| sums.as_ref().filter(|_| k.lattice_vertex == copy.lattice_vertex))
                 {
-                    Some(sums) => all.add_weighted_copy(sums, copy),
+                    Some(sums) => own.add_weighted_copy(sums, copy),
                     None => complete = false,
                 }
             }
+            all.add(&own);
+            all.add_bound_waves(&own, &patch.bound, &mut longer);
         }
         (all, complete)
     }
 }
 
+/// Elevation and horizontal displacement (eta, Dx, Dz) at a point, each times a factor, with their derivatives along x
+/// and z and in time.
+#[derive(Clone, Copy, Default)]
+struct ScaledWaves {
+    value: [f64; 3],
+    along: [[f64; 3]; 2],
+    per_s: [f64; 3],
+}
+
+impl ScaledWaves {
+    /// The waves in `sums`, with the factors p and q on elevation and displacement.
+    fn new(sums: &WaveSums, factors: ProductFactors) -> Self {
+        let (p, q) = (factors.elevation, factors.displacement);
+        let scaled = |eta: f64, [x, z]: [f64; 2]| [p * eta, q * x, q * z];
+        let [xx, zz, xz, zx] = sums.whole_strain();
+        let [sx, sz] = sums.whole_slope();
+        let [ux, uy, uz] = sums.orbital_velocity_m_s;
+        Self {
+            value: scaled(sums.elevation_m, sums.displacement_m),
+            along: [scaled(sx, [xx, zx]), scaled(sz, [xz, zz])],
+            per_s: scaled(uy, [ux, uz]),
+        }
+    }
+
+    fn add(&mut self, other: &Self) {
+        add_scaled(&mut self.value, 1.0, other.value);
+        add_scaled(&mut self.per_s, 1.0, other.per_s);
+        self.along.iter_mut().zip(other.along).for_each(|(sum, term)| add_scaled(sum, 1.0, term));
+    }
+}
+
 impl PatchWaves {
-    pub(super) fn new<'a>(plan: &Plan, cascade: &Cascade, waves: impl Iterator<Item = &'a CandidateWave>) -> Self {
+    pub(super) fn new<'a>(
+        plan: &Plan,
+        cascade: &Cascade,
+        bound: CascadeBoundWaves,
+        waves: impl Iterator<Item = &'a CandidateWave>,
+    ) -> Self {
         let mut blocks: Vec<FourWaves> = Vec::new();
         for (i, candidate) in waves.enumerate() {
             let lane = i % 4;
@@ -157,7 +254,13 @@ impl PatchWaves {
             block.omega_rad_s[lane] = wave.omega;
             block.cycles_per_period[lane] = wave.cycles_per_period;
         }
-        Self { side_m: cascade.patch_m, tiling: plan.tiling(cascade), dk_rad_m: cascade.dk(), waves_by_four: blocks }
+        Self {
+            side_m: cascade.patch_m,
+            tiling: plan.tiling(cascade),
+            dk_rad_m: cascade.dk(),
+            waves_by_four: blocks,
+            bound,
+        }
     }
 
     /// Sums over the patch's waves at the undisplaced point (`x`, `z`), in units of the patch's side; `time` counts
