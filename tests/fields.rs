@@ -110,7 +110,9 @@ fn other(field: &Field, base: f64) -> f64 {
         FieldKind::Number { min, max, log: false } => vec![0.3 * min + 0.7 * max, 0.7 * min + 0.3 * max],
         FieldKind::Number { min, max, log: true } => vec![(min * max).sqrt(), (min * max * max).cbrt()],
         FieldKind::Heading => vec![(base + 140.0).rem_euclid(360.0)],
-        FieldKind::Integer { min, max } => vec![(f64::from(min) + f64::from(max)) / 2.0, f64::from(max)],
+        FieldKind::Integer { min, max } => {
+            vec![(f64::from(min) + f64::from(max)) / 2.0, f64::from(max), f64::from(min)]
+        }
         FieldKind::Choice(words) => vec![(base + 1.0) % words.len() as f64],
         FieldKind::Flag => vec![1.0 - base],
         FieldKind::Colour => vec![f64::from(0x00ff_7010)],

@@ -367,9 +367,10 @@ fn a_drag_over_rungs_and_depths_has_no_jump() {
 
 #[test]
 fn a_boat_stays_on_the_water() {
-    for (from, to) in
-        [("wind=9&n=64&untile=0", "wind=9&n=64&height=1.5&untile=0"), ("wind=9&n=64&untile=0", "wind=14&n=64&untile=0")]
-    {
+    for (from, to) in [
+        ("wind=9&n=64&untile=0&order=1", "wind=9&n=64&height=1.5&untile=0&order=1"),
+        ("wind=9&n=64&untile=0&order=1", "wind=14&n=64&untile=0&order=1"),
+    ] {
         let mut window = Window::new(&format!("{from}&t=40&pause=1"));
         window.wish(to);
         for _ in 0..17 {

@@ -5,6 +5,7 @@ use crate::gpu::Gpu;
 use crate::ocean::Ocean;
 use crate::ocean::maps_file::{self, Channel};
 use crate::state::{Params, query};
+use crate::waves::second_order::ProductFactors;
 use exr::prelude::*;
 use std::path::Path;
 
@@ -50,6 +51,8 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
         let halves: Vec<f16> = texels.iter().flatten().map(|&x| f16::from_f32(x)).collect();
         write_file(&folder.join("displacement.f16"), bytemuck::cast_slice(&halves))?;
     }
+    let bound = plan.bound_waves();
+    let factors = |f: ProductFactors| [f.elevation, f.displacement];
     let about = serde_json::json!({
         "state": query::write(params),
         "t_s": params.clock.t_s,
@@ -63,7 +66,10 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
             "displacement": format!("cascade{i}_displacement.exr"),
             "gradients": format!("cascade{i}_gradients.exr"),
             "n": plan.n, "patch_m": c.patch_m, "k_low": c.k_low, "k_high": c.k_high,
+            "bound_own": factors(bound.cascades[i].own), "bound_level_m": bound.cascades[i].level_m,
+            "bound_with_shorter": factors(bound.cascades[i].with_shorter),
         })).collect::<Vec<_>>(),
+        "bound_elevation_gain": bound.elevation_gain,
         "foam": {
             "file": "foam.exr", "n": foam.cells_per_side, "side_m": foam.cells_per_side as f64 * foam.cell_m,
             "corner_xz_m": foam.north_west_corner_m,
