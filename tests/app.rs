@@ -57,6 +57,36 @@ fn the_panel_edits_the_state() {
     assert_eq!(harness.state().state(), "");
 }
 
+/// The button switches on one system after the other; each has a section with a button that removes it.
+#[test]
+fn wave_systems_are_added_and_removed() {
+    let mut harness = open_in("n=64&pause=1&wind=9", [900.0, 3000.0]);
+    let click = |harness: &mut Harness<'_, App>, label: &str| {
+        harness.get_by_label(label).click_accesskit();
+        harness.run_steps(6);
+    };
+    assert!(harness.query_by_label("Second system").is_none(), "off, so not shown");
+    for state in ["scale2=1", "scale2=1&scale3=1", "scale2=1&scale3=1&scale4=1"] {
+        click(&mut harness, "Add a wave system");
+        assert_eq!(harness.state().state(), format!("wind=9&{state}&pause=1&n=64"));
+    }
+    // All four are on: the button is disabled, the new sections are open.
+    click(&mut harness, "Add a wave system");
+    for system in ["second", "third", "fourth"] {
+        harness.get_by_label(&format!("Remove the {system} system"));
+    }
+    click(&mut harness, "Remove the third system");
+    assert_eq!(harness.state().state(), "wind=9&scale2=1&scale4=1&pause=1&n=64");
+    assert!(harness.query_by_label("Third system").is_none() && harness.query_by_label("Fourth system").is_some());
+    click(&mut harness, "Add a wave system");
+    assert_eq!(harness.state().state(), "wind=9&scale2=1&scale3=1&scale4=1&pause=1&n=64", "the free one in between");
+    harness.state_mut().set_state("n=64&pause=1&hs3=2");
+    harness.run_steps(3);
+    harness.get_by_label("Third system");
+    harness.get_by_label("the third wave system is off: set scale3 to switch it on");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+}
+
 #[test]
 fn v_goes_through_the_views() {
     let mut harness = open("n=64&pause=1");

@@ -110,6 +110,30 @@ fn second_half_of_the_spectra_with_every_spreading() {
     all_pairs(&halves()[1]);
 }
 
+/// The variances of wave systems add, in theory and on the lattices: the square of the height of four systems is the sum
+/// of the squares of their heights.
+#[test]
+fn squared_heights_of_four_systems_add() {
+    const SYSTEMS: [&str; 4] = [
+        "wind=11&fetch=120&dir=250",
+        "scale2=1&hs2=1.8&tp2=13&dir2=310",
+        "scale3=1&spectrum3=donelan&hs3=0&tp3=0&wind3=7&fetch3=60&dir3=190&fade3=0",
+        "scale4=0.7&hs4=1.5&tp4=9&swell4=1",
+    ];
+    let heights = |state: &str| {
+        let plan = Plan::new(&query::parse(&format!("n=512&{state}")).0);
+        let theory = SpectrumStatistics::new(&plan);
+        (plan.systems.len(), theory.hs_m, LatticeStatistics::new(&plan, theory.variance_m2).hs_m)
+    };
+    let alone = |i: usize| if i == 0 { SYSTEMS[0].to_owned() } else { format!("scale=0&{}", SYSTEMS[i]) };
+    let squares: f64 = (0..4).map(|i| heights(&alone(i)).1.powi(2)).sum();
+    let (count, theory_m, resolved_m) = heights(&SYSTEMS.join("&"));
+    eprintln!("theory {theory_m} m, resolved {resolved_m} m, sum of squares {} m2", squares);
+    assert_eq!(count, 4);
+    assert!((theory_m * theory_m / squares - 1.0).abs() < 1e-6, "{theory_m} m, squares {squares} m2");
+    assert!((resolved_m * resolved_m / squares - 1.0).abs() < 0.01, "{resolved_m} m, squares {squares} m2");
+}
+
 /// The plan chooses cascades that hold the sea, for every wind, fetch and depth.
 #[test]
 fn every_sea_is_captured() {

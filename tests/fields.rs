@@ -14,7 +14,8 @@ use std::collections::BTreeMap;
 const BASE: &str = "wind=18&fetch=300&n=64&t=5&overcast=0.3&depth=12&sun=25";
 
 /// Parameters that have no effect in the base state: key (a star matches any start of a key), settings to add to the
-/// base (a later value of a key wins), and the value to test, or "" for one from the middle of the range.
+/// base (a later value of a key wins), and the value to test, or "" for one from the middle of the range. The lines of
+/// the second wave system also count for the third and fourth.
 const NEEDS: &[(&str, &str, &str)] = &[
     ("hs", "", "2.5"),
     ("tp", "", "7"),
@@ -96,7 +97,16 @@ const LEAST_PICTURE: f64 = 0.03;
 const LEAST_MAPS: f64 = 1e-3;
 const SIZE: [u32; 2] = [96, 54];
 
-fn need(key: &str) -> Option<&'static (&'static str, &'static str, &'static str)> {
+/// What a parameter needs: settings to add to the base, and the value to test. The third and fourth wave systems need
+/// what the second needs, with their own number in the keys.
+fn need(field: &Field) -> (String, &'static str) {
+    let number = field.group.further_system_index().filter(|i| *i > 1).map(|i| i + 1);
+    let key = number.map_or(field.key.to_owned(), |n| field.key.trim_end_matches(&n.to_string()).to_owned() + "2");
+    let (_, settings, value) = need_of_key(&key).copied().unwrap_or_default();
+    (number.map_or(settings.to_owned(), |n| settings.replace("2=", &format!("{n}="))), value)
+}
+
+fn need_of_key(key: &str) -> Option<&'static (&'static str, &'static str, &'static str)> {
     let fits = |pattern: &str| pattern.strip_prefix('*').map_or(pattern == key, |end| key.ends_with(end));
     let of_second = |pattern: &str| {
         !pattern.starts_with('*') || FIELDS.iter().any(|f| f.key == key && f.group == Group::SecondSystem)
@@ -174,7 +184,7 @@ fn every_parameter_changes_a_map_or_the_picture() {
     let mut unseen = Vec::new();
     let file = common::skies::made_up_sky(40.0);
     for field in FIELDS.iter().filter(|f| UNSEEN.iter().all(|(key, _)| *key != f.key)) {
-        let (_, more, value) = need(field.key).copied().unwrap_or_default();
+        let (more, value) = need(field);
         let state = later_wins(&format!("{BASE}&{more}"));
         let mut base = params(&state);
         base.look.sky.adopt_loaded_image(Some(&file));

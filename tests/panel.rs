@@ -51,7 +51,7 @@ fn widget<'a>(harness: &'a Harness<'_, App>, field: &Field) -> egui_kittest::Nod
         .unwrap_or_else(|| panic!("{} is not in the panel", field.key))
 }
 
-/// Name of a row's reset button; labels alone are not unique, because both wave systems have the same ones.
+/// Name of a row's reset button; labels alone are not unique, because all wave systems have the same ones.
 fn cross(field: &Field) -> String {
     format!("{}, {}: back to the default", field.group.label(), field.label)
 }

@@ -54,6 +54,18 @@ fn large_sizes_agree_with_the_oracle() {
     }
 }
 
+/// Four wave systems of three lobes each, the most that a sea can have: Elfouhaily's spreading blended with another.
+const FOUR_SYSTEMS: &str = "wind=12&spread=elfouhaily&blendto=hasselmann&blend=0.4&iso=0.1\
+    &scale2=1&spread2=elfouhaily&blendto2=cos2-positive&blend2=0.3&scale3=1&spread3=mitsuyasu&blendto3=elfouhaily&blend3=0.6\
+    &scale4=1&spread4=donelan-banner&blendto4=elfouhaily&blend4=0.5&spectrum4=pm&t=77";
+
+#[test]
+fn four_systems_have_twelve_terms() {
+    let terms = |state: &str| seastate::waves::table::directional_terms(&Plan::new(&query::parse(state).0)).0.len();
+    assert_eq!(terms(FOUR_SYSTEMS), seastate::waves::system::MAX_SPECTRUM_TERMS);
+    assert_eq!(terms("spread=elfouhaily&blendto=elfouhaily&blend=0.5"), 2, "a blend with itself");
+}
+
 #[test]
 fn other_seas_agree_with_the_oracle() {
     for state in [
@@ -63,6 +75,7 @@ fn other_seas_agree_with_the_oracle() {
         "spread=isotropic&spectrum=pm&wind=3&g=3.71",
         "spectrum=elfouhaily&spread=elfouhaily&swell=0.4&dispersion=capillary&cascades=3&patch3=0.7&chopx=0.5&chopz=1.3",
         "spread=cos2-positive&blendto=hasselmann&blend=0.4&iso=0.2&scale2=1&hs2=2&tp2=12&dir2=310&overlap=1",
+        FOUR_SYSTEMS,
         "spectrum=measured&measured=0.05*0.5*250*251*0.8*0.5_0.1*3*240*241*0.7*0.4_0.2*1*200*230*0.5*0.2_0.4*0.1*190*190*0.4*0.1",
     ] {
         assert_right(&format!("{state}&n=64"), SOFTWARE);
@@ -108,6 +121,13 @@ const FAULTS: &[(Kind, &str, &str, &str, &str)] = &[
     (SOFTWARE, "waves/unrolled_columns_second", "map_texel(value)", "map_texel(1.01 * value)", "maps"),
     (LLVMPIPE, "waves/unrolled_columns_second", "map_texel(value)", "map_texel(1.01 * value)", "maps"),
 ];
+
+#[test]
+fn the_last_of_twelve_terms_counts() {
+    let short = Shaders::default().patched("waves/spectrum", "i < sea.term_count", "i < min(sea.term_count, 11u)");
+    let lines = run(&format!("{FOUR_SYSTEMS}&n=64"), SOFTWARE, short);
+    assert!(lines.iter().any(|line| !line.passes() && line.pass_and_quantity.starts_with("spectrum")));
+}
 
 #[test]
 fn a_planted_fault_of_one_per_cent_is_found() {

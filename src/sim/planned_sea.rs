@@ -1,9 +1,9 @@
 //! Converts the plan of a sea to the uniforms that the compute passes read.
 
 use super::maps::{MAX_CASCADES, MapCascade};
-use super::uniforms::{MAX_SPECTRUM_TERMS, SeaCascade, SeaUniform, SpectrumTerm};
+use super::uniforms::{SeaCascade, SeaUniform, SpectrumTerm};
 use crate::waves::spreading::CosineFactor;
-use crate::waves::system::DirectionalTermKind;
+use crate::waves::system::{DirectionalTermKind, MAX_SPECTRUM_TERMS};
 use crate::waves::{Plan, table};
 
 /// The plan of a sea, with its directional spectrum in the form that shaders read: the source of the sea's uniforms.

@@ -6,6 +6,7 @@ use crate::gpu::kit::BindingType;
 use crate::gpu::layout::{StructDeclaration, gpu_struct};
 use crate::gpu::uniform::DynamicUniformBuffer;
 use crate::waves::foam::FOAM_LEVEL_COUNT;
+use crate::waves::system::MAX_SPECTRUM_TERMS;
 
 /// The simulation's two uniform buffers, with room for all foam time steps and wave computations of one submission.
 pub struct SimulationUniforms {
@@ -58,9 +59,6 @@ gpu_struct! {
         pub moment_unit: f32,
     }
 }
-
-/// Largest number of terms whose sum is a directional spectrum: three spreading lobes for each of two wave systems.
-pub const MAX_SPECTRUM_TERMS: usize = 6;
 
 gpu_struct! {
     /// WGSL `SpectrumTerm`: a spreading lobe or measured distribution. The sum of terms is the directional spectrum.

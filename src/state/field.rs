@@ -114,6 +114,10 @@ choice_enum! {
         Sea = "Sea",
         /// Parameters of the second wave system, such as the swell of a distant storm.
         SecondSystem = "Second system",
+        /// Parameters of the third wave system, such as long swell from another ocean.
+        ThirdSystem = "Third system",
+        /// Parameters of the fourth wave system, such as the remains of an older wind sea.
+        FourthSystem = "Fourth system",
         /// Parameters of all waves: water depth, dispersion relation, physical constants, choppiness and random seed.
         Water = "Water",
         /// Parameters of whitecaps: when foam forms, how it decays and what it looks like.
@@ -141,6 +145,12 @@ impl Group {
     /// Heading of this group of parameters in the control panel.
     pub fn label(self) -> &'static str {
         self.word()
+    }
+
+    /// Index in [`Sea::systems`](super::params::Sea::systems) of the wave system that this group sets, 1 to 3, if the
+    /// group belongs to a system beside the local wind sea.
+    pub fn further_system_index(self) -> Option<usize> {
+        [Self::SecondSystem, Self::ThirdSystem, Self::FourthSystem].iter().position(|g| *g == self).map(|i| i + 1)
     }
 }
 

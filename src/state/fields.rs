@@ -22,6 +22,8 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
     let parts = [
         part!(WaveSystemParams, Sea, sea.systems[0]),
         with_numbered_keys(2, part!(WaveSystemParams, SecondSystem, sea.systems[1])),
+        with_numbered_keys(3, part!(WaveSystemParams, ThirdSystem, sea.systems[2])),
+        with_numbered_keys(4, part!(WaveSystemParams, FourthSystem, sea.systems[3])),
         part!(Sea, Water, sea),
         part!(FoamSettings, Foam, sea.foam),
         part!(SkyLook, Sky, look.sky),

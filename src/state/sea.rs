@@ -163,13 +163,58 @@ impl WaveSystemParams {
             ..Self::default()
         }
     }
+
+    /// Default of the third wave system: long, low swell of a gale in another ocean, switched off.
+    fn default_third_system() -> Self {
+        Self {
+            wind_m_s: 20.0,
+            fetch_km: 800.0,
+            from_deg: 200.0,
+            hs_m: 1.0,
+            tp_s: 16.0,
+            gamma: 7.0,
+            fade_m: 4.0,
+            swell: 0.8,
+            ..Self::default_second_system()
+        }
+    }
+
+    /// Default of the fourth wave system: what is left of yesterday's wind sea after a turn of the wind, switched off.
+    fn default_fourth_system() -> Self {
+        Self {
+            wind_m_s: 9.0,
+            fetch_km: 120.0,
+            from_deg: 340.0,
+            hs_m: 0.8,
+            tp_s: 8.0,
+            gamma: 3.3,
+            fade_m: 1.0,
+            swell: 0.3,
+            ..Self::default_second_system()
+        }
+    }
+
+    /// Whether the wave system has waves: its height factor is not 0.
+    pub fn is_on(&self) -> bool {
+        self.height_factor > 0.0
+    }
 }
+
+/// Largest number of wave systems of a sea: the local wind sea and up to three others.
+pub const MAX_WAVE_SYSTEMS: usize = 4;
+/// Names of the wave systems, in the order of [`Sea::systems`].
+pub const WAVE_SYSTEM_NAMES: [&str; MAX_WAVE_SYSTEMS] = ["first", "second", "third", "fourth"];
 
 parameters! {
     /// Sea state: wave systems, water, displacement and foam.
     pub struct Sea {
-        /// Wave systems: the local wind sea, and a second one such as swell. Their spectra add.
-        systems: [WaveSystemParams; 2] = [WaveSystemParams::default(), WaveSystemParams::default_second_system()],
+        /// Wave systems: the local wind sea, and up to three others such as swell. Their spectra add.
+        systems: [WaveSystemParams; MAX_WAVE_SYSTEMS] = [
+            WaveSystemParams::default(),
+            WaveSystemParams::default_second_system(),
+            WaveSystemParams::default_third_system(),
+            WaveSystemParams::default_fourth_system(),
+        ],
         /// Spectrum that a wave buoy measured, for wave systems with the spectrum `measured`; `None` if there is none.
         measured: Option<Arc<MeasuredSpectrum>> = None,
         /// Water depth. Shallow water slows and steepens long waves; with tma it also limits their energy.

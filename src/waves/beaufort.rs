@@ -87,7 +87,7 @@ impl BeaufortForce {
     #[must_use]
     pub fn apply(&self, now: &Params) -> Params {
         let mut next = now.clone();
-        let [default, _] = Sea::default().systems;
+        let [default, ..] = Sea::default().systems;
         let from_deg = now.sea.first_system().from_deg;
         next.sea.systems[0] =
             WaveSystemParams { wind_m_s: self.mean_wind_m_s, fetch_km: self.fetch_km, from_deg, ..default };

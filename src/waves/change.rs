@@ -75,9 +75,8 @@ mod tests {
             let expected = match (field.key, field.group) {
                 ("whitecaps" | "foamthreshold" | "foambias" | "foamdecay" | "foamrate", _) => Some(SeaChange::Foam),
                 ("order" | "chop" | "chopx" | "chopz" | "level", _) => Some(SeaChange::Surface),
-                ("loop", _) | (_, Group::Sea | Group::SecondSystem | Group::Water | Group::Grid) => {
-                    Some(SeaChange::Waves)
-                }
+                ("loop", _) | (_, Group::Sea | Group::Water | Group::Grid) => Some(SeaChange::Waves),
+                (_, group) if group.further_system_index().is_some() => Some(SeaChange::Waves),
                 _ => None,
             };
             assert_eq!(change, expected, "{}", field.key);

@@ -7,7 +7,7 @@ use super::energy::SpectrumIntegrals;
 use super::second_order::{BoundWaveFit, BoundWaves, CascadeBoundWaves};
 use super::system::{self, WaveSystem};
 use super::tiling::Tiling;
-use crate::state::params::{Params, Sea, SpreadKind};
+use crate::state::params::{Params, Sea, SpreadKind, WAVE_SYSTEM_NAMES};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -74,7 +74,7 @@ impl Plan {
     pub fn new(params: &Params) -> Self {
         let (sea, n) = (params.sea.clone(), params.grid.n);
         let dispersion = Dispersion::new(&sea);
-        let mut systems: Vec<WaveSystem> = sea.systems.iter().map(|s| WaveSystem::new(&sea, s)).collect();
+        let mut systems: Vec<WaveSystem> = (0..sea.systems.len()).map(|i| WaveSystem::new(&sea, i)).collect();
         let mut notices = system_notices(&sea, &systems);
         systems.retain(|s| !s.spectrum.is_calm);
         let mut energy = integrate_spectrum(&systems, &dispersion);
@@ -270,9 +270,19 @@ fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
             notices.push("height and period are set (hs, tp): wind and fetch have little effect on them".into());
         }
     }
-    if sea.systems[1].height_factor == 0.0 && sea.systems[1] != defaults[1] {
-        notices.push("the second wave system is off: set scale2 to switch it on".into());
+    for (i, (system, default)) in sea.systems.iter().zip(&defaults).enumerate().skip(1) {
+        if !system.is_on() && system != default {
+            let (name, number) = (WAVE_SYSTEM_NAMES[i], i + 1);
+            notices.push(format!("the {name} wave system is off: set scale{number} to switch it on"));
+        }
     }
+    // Systems with the same fault share a notice.
+    let mut seen = Vec::new();
+    notices.retain(|notice| {
+        let is_new = !seen.contains(notice);
+        seen.push(notice.clone());
+        is_new
+    });
     notices
 }
 

@@ -12,7 +12,7 @@ use crate::state::params::{Sea, SpreadKind, WaveSystemParams};
 use std::f64::consts::PI;
 
 /// Largest number of lobes of one wave system: two for Elfouhaily's spreading, blended with one of another family.
-const MAX_LOBES: usize = 3;
+pub(super) const MAX_LOBES: usize = 3;
 /// Largest exponent s of a lobe cos^{2s}(theta/2). A lobe with a larger s has a standard deviation below 7 degrees,
 /// which the lattice of wave vectors cannot resolve at the low edge of a cascade's wave-number band.
 const MAX_COSINE_EXPONENT: f64 = 150.0;
@@ -78,6 +78,8 @@ impl Spreading {
         };
         let directed = 1.0 - isotropic;
         let mut families = Vec::new();
+        // A blend of a spreading with itself is that spreading.
+        let blend = if first == second { 0.0 } else { blend };
         for (kind, share) in [(first, (1.0 - blend) * directed), (second, blend * directed)] {
             if kind == SpreadKind::Isotropic && system.swell == 0.0 {
                 isotropic += share;

@@ -1,14 +1,20 @@
 //! A wave system, such as the local wind sea or the swell, with its frequency spectrum and directional distribution.
 
 use super::spectra::{self, FrequencySpectrum};
-use super::spreading::{CosineFactor, Spreading, SpreadingAtFrequency};
+use super::spreading::{CosineFactor, MAX_LOBES, Spreading, SpreadingAtFrequency};
 use crate::files::measured::MaximumEntropyDistribution;
-use crate::state::params::{Sea, WaveSystemParams};
+use crate::state::params::{MAX_WAVE_SYSTEMS, Sea, WaveSystemParams};
 use std::f64::consts::TAU;
+
+/// Largest number of terms whose sum is the directional spectrum of a sea, and largest number of vectors of four numbers
+/// in an entry of a spectrum table: one for each lobe of each wave system. A buoy's distribution takes two vectors.
+pub const MAX_SPECTRUM_TERMS: usize = MAX_WAVE_SYSTEMS * MAX_LOBES;
 
 /// One wave system of a planned sea, such as the local wind sea or the swell.
 #[derive(Clone, Debug)]
 pub struct WaveSystem {
+    /// Number of the system in the state string and the panel, from 1: systems without waves leave gaps in a plan.
+    pub number: usize,
     /// Frequency spectrum, scaled to the wave height that the parameters ask for.
     pub spectrum: FrequencySpectrum,
     /// Directional spreading; unused if a buoy has measured the directions.
@@ -40,13 +46,14 @@ pub enum DirectionalTermKind {
 }
 
 impl WaveSystem {
-    /// Makes the frequency spectrum and the directional spreading of the wave system with the parameters `system` in
-    /// `sea`, whose gravity, depth and height factor count too.
-    pub fn new(sea: &Sea, system: &WaveSystemParams) -> Self {
+    /// Makes the frequency spectrum and the directional spreading of the wave system with the index `index` in
+    /// `Sea::systems` of `sea`, whose gravity, depth and height factor count too.
+    pub fn new(sea: &Sea, index: usize) -> Self {
+        let system = &sea.systems[index];
         let spectrum =
             spectra::spectrum_of_system(sea, system).scaled(sea.displacement_factor * sea.displacement_factor);
         let spreading = Spreading::new(sea, system, &spectrum);
-        Self { spectrum, spreading, travel_direction: travel_direction(system.from_deg) }
+        Self { number: index + 1, spectrum, spreading, travel_direction: travel_direction(system.from_deg) }
     }
 
     /// Whether the wave directions come from a buoy's data instead of a spreading model.

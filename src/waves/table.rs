@@ -266,6 +266,14 @@ mod tests {
     }
 
     #[test]
+    fn the_largest_tables_fit_a_binding() {
+        use super::super::system::MAX_SPECTRUM_TERMS;
+        // WebGPU's default limit of a storage buffer's binding is 128 MiB.
+        let bytes = 16 * entry_count(1024) * crate::state::params::MAX_CASCADES * MAX_SPECTRUM_TERMS;
+        assert!(bytes <= 128 << 20, "{bytes}");
+    }
+
+    #[test]
     fn the_triangle_covers_the_lattice_once() {
         let n = 64;
         let mut seen = vec![0; entry_count(n)];

@@ -22,7 +22,7 @@ const SIZES = [[640, 420], [500, 360], [360, 560]];
 const MOVES = {
   wind: [3, 28], fetch: [5, 800], dir: [0, 360], seed: [1, 1e6], swell: [0, 1], depth: [3, 4000], chop: [0, 1.5],
   sun: [-10, 60], haze: [0, 1], overcast: [0, 1], heading: [0, 359], pitch: [-30, 10], y: [2, 40], scale2: [0, 1],
-  foamdecay: [1, 10],
+  scale3: [0, 1], foamdecay: [1, 10],
 };
 const CHOICES = {
   n: [64, 128], cascades: [1, 2, 3, 4], spectrum: ['jonswap', 'pm', 'elfouhaily', 'donelan', 'tma'],

@@ -3,11 +3,12 @@
 mod numbers;
 mod rows;
 mod seas;
+mod systems;
 pub mod time;
 
 use super::accessible_names::with_accessible_name;
 use super::{App, plots};
-use crate::state::fields::{FIELDS, Group};
+use crate::state::fields::{FIELDS, Field, Group};
 use crate::state::floats::FloatingObjectKind;
 use crate::state::{Params, motion};
 use crate::waves::beaufort;
@@ -31,6 +32,8 @@ pub struct Panel {
     search: String,
     /// Text in the field into which the user types or pastes a link to open.
     link: String,
+    /// Wave system that has just been switched on, whose section the next frame expands.
+    added_system: Option<Group>,
     /// Whether the bottom sheet, which a narrow window shows in place of the panel, is expanded.
     sheet_is_open: bool,
     /// Whether the seed of the random phases stays the same when a named sea is opened or everything is reset.
@@ -200,26 +203,34 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         }
     });
     let words = app.panel.search.trim().to_owned();
+    let searching = !words.is_empty();
+    let added = app.panel.added_system.take();
     let mut any = false;
     for group in Group::ALL {
-        let count = FIELDS.iter().filter(|f| f.group == group && rows::matches_search(f, &words)).count();
-        if count == 0 {
+        if group == Group::Water && !searching {
+            systems::show_add_button(app, ui);
+        }
+        let in_use = systems::is_in_use(&app.params, group);
+        let shown = |f: &&Field| {
+            f.group == group && rows::matches_search(f, &words) && (in_use || systems::is_asked_for(f, &words))
+        };
+        let fields: Vec<&'static Field> = FIELDS.iter().filter(shown).collect();
+        if fields.is_empty() {
             continue;
         }
         any = true;
         // A search expands the groups with results. Without a search each group stays as the user left it.
-        let searching = !words.is_empty();
-        egui::CollapsingHeader::new(group.label()).id_salt((group.label(), searching)).default_open(searching).show(
-            ui,
-            |ui| {
-                rows::show_group(&mut app.params, group, &words, ui);
-                match group {
-                    Group::Sky if !searching => show_sky_file(&mut app.params, ui),
-                    Group::Water if !searching => seas::show_seed_row(app, ui),
-                    _ => {}
-                }
-            },
-        );
+        let header = egui::CollapsingHeader::new(group.label()).id_salt((group.label(), searching));
+        let expand = (added == Some(group)).then_some(true);
+        header.default_open(searching).open(expand).show(ui, |ui| {
+            rows::show_group(&mut app.params, group, &fields, ui);
+            match group {
+                Group::Sky if !searching => show_sky_file(&mut app.params, ui),
+                Group::Water if !searching => seas::show_seed_row(app, ui),
+                _ if !searching => systems::show_remove_button(&mut app.params, group, ui),
+                _ => {}
+            }
+        });
     }
     if !any {
         ui.weak("No parameter has these words.");

@@ -3,7 +3,7 @@
 use super::super::accessible_names::with_accessible_name;
 use super::super::units::UnitScale;
 use crate::state::Params;
-use crate::state::fields::{FIELDS, Field, FieldKind, Group, InvalidValue};
+use crate::state::fields::{Field, FieldKind, Group, InvalidValue};
 use crate::state::params::Units;
 
 /// Whether a search for `words` finds a parameter: each word occurs in its label, key, group or help text, in upper or
@@ -13,12 +13,11 @@ pub fn matches_search(field: &Field, words: &str) -> bool {
     words.to_lowercase().split_whitespace().all(|word| text.contains(word))
 }
 
-/// Adds the rows of those parameters of a group that match `words`, the text in the search field. An empty text matches
-/// all.
-pub fn show_group(params: &mut Params, group: Group, words: &str, ui: &mut egui::Ui) {
+/// Adds the rows of the parameters `fields` of a group.
+pub fn show_group(params: &mut Params, group: Group, fields: &[&'static Field], ui: &mut egui::Ui) {
     let units = params.screen.units;
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
-        for field in FIELDS.iter().filter(|f| f.group == group && matches_search(f, words)) {
+        for field in fields {
             show_field_row(params, field, units, ui);
             ui.end_row();
         }

@@ -3,10 +3,14 @@
 
 use super::super::App;
 use super::{PLOT_COLOURS, PlotTable, fixed_plot};
+use crate::state::params::MAX_WAVE_SYSTEMS;
 use crate::waves::Plan;
 use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, PlotPoints, VLine};
 
 const CURVE_INTERVALS: usize = 240;
+/// Colours of the four wave systems.
+const SYSTEM_COLOURS: [egui::Color32; MAX_WAVE_SYSTEMS] =
+    [PLOT_COLOURS[1], PLOT_COLOURS[2], PLOT_COLOURS[5], egui::Color32::WHITE];
 
 /// Highest angular frequency of the spectrum plot and of the spectrum measured in the wave maps, rad/s.
 pub fn highest_omega(plan: &Plan) -> f64 {
@@ -49,10 +53,11 @@ pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
         plot.line(Line::new("theory", PlotPoints::from(curve(&|w| plan.density(w)))).color(PLOT_COLOURS[0]).width(2.0));
         plot.vline(VLine::new("peak", peak).color(PLOT_COLOURS[0].gamma_multiply(0.6)).width(1.0));
         if several {
-            for (i, system) in plan.systems.iter().enumerate() {
+            for system in &plan.systems {
                 let points = PlotPoints::from(curve(&|w| system.spectrum.density(w)));
-                let style = if i == 0 { LineStyle::dashed_loose() } else { LineStyle::dotted_loose() };
-                plot.line(Line::new(format!("system {}", i + 1), points).color(PLOT_COLOURS[1 + i]).style(style));
+                let style = if system.number == 1 { LineStyle::dashed_loose() } else { LineStyle::dotted_loose() };
+                let colour = SYSTEM_COLOURS[system.number - 1];
+                plot.line(Line::new(format!("system {}", system.number), points).color(colour).style(style));
             }
         }
         for cascade in plan.cascades.iter().skip(1) {
@@ -80,7 +85,7 @@ pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
         let systems = plan.systems.iter().map(move |s| s.spectrum.density(w));
         [w, plan.density(w)].into_iter().chain(systems).chain(measured(w)).collect()
     });
-    let names: String = (1..=plan.systems.len()).map(|i| format!(",S{i} (m2 s)")).collect();
+    let names: String = plan.systems.iter().map(|s| format!(",S{} (m2 s)", s.number)).collect();
     let last = if maps.is_some() { ",measured (m2 s)" } else { "" };
     PlotTable { name: "spectrum.csv", heading: format!("omega (rad/s),S (m2 s){names}{last}"), rows: rows.collect() }
 }

@@ -55,7 +55,9 @@ enum ApplyRule {
 
 fn apply_rule(group: Group) -> ApplyRule {
     match group {
-        Group::Sea | Group::SecondSystem | Group::Water | Group::Foam => ApplyRule::Sea,
+        Group::Sea | Group::SecondSystem | Group::ThirdSystem | Group::FourthSystem | Group::Water | Group::Foam => {
+            ApplyRule::Sea
+        }
         Group::Sky | Group::Surface | Group::Film => ApplyRule::Light,
         Group::Camera => ApplyRule::Camera,
         Group::Grid | Group::View | Group::Clock | Group::Screen => ApplyRule::NeverSet,

@@ -53,7 +53,7 @@ fn same(field: &Field, a: &Params, b: &Params) -> bool {
 }
 
 /// Ranges of significant wave height, m, and peak period, s, that the description of each built-in preset claims.
-const CLAIMS: [(&str, [f64; 2], [f64; 2]); 18] = [
+const CLAIMS: [(&str, [f64; 2], [f64; 2]); 19] = [
     ("Calm open ocean", [0.85, 0.95], [9.5, 10.5]),
     ("Large swells", [5.5, 5.7], [9.5, 10.5]),
     ("North Sea gale", [5.5, 6.0], [10.5, 11.5]),
@@ -63,6 +63,7 @@ const CLAIMS: [(&str, [f64; 2], [f64; 2]); 18] = [
     ("Shallow Dutch coast", [1.0, 1.5], [5.0, 6.0]),
     ("Black Sea MarNeRo", [2.0, 2.5], [6.0, 7.0]),
     ("Crossing seas", [3.5, 4.0], [7.0, 9.0]),
+    ("Pacific crossing", [2.85, 3.15], [12.0, 13.0]),
     ("Harbour morning", [0.045, 0.055], [0.5, 1.5]),
     ("Lake in a fresh breeze", [0.5, 0.6], [2.5, 3.5]),
     ("Mistral", [3.0, 4.0], [7.0, 8.0]),
