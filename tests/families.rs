@@ -5,6 +5,7 @@ use seastate::lab::validate::choice_parameter_values;
 use seastate::state::query;
 use seastate::waves::Plan;
 use seastate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
+use seastate::waves::table::SpectrumTable;
 
 /// The thirteen sea states: wind (m/s), fetch (km), depth (m), from calm to hurricane and from deep water to 3 m.
 const STATES: [(f64, f64, f64); 13] = [
@@ -69,7 +70,7 @@ fn all_pairs(spectra: &[&str]) {
         for &spread in &spreads {
             for (wind, fetch, depth) in STATES {
                 let state =
-                    format!("spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&dir=205");
+                    format!("v=2&spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&dir=205");
                 wrong.extend(faults(&state, is_symmetric(spectrum, spread)));
             }
         }
@@ -110,6 +111,20 @@ fn second_half_of_the_spectra_with_every_spreading() {
     all_pairs(&halves()[1]);
 }
 
+/// At the default depth the depth limit changes no bit of what the GPU gets.
+#[test]
+fn the_depth_limit_changes_nothing_in_deep_water() {
+    for state in ["", "wind=20&fetch=500&spectrum=karaev", "scale2=1&scale3=1&scale4=1&spectrum4=pm"] {
+        let tables = |limit: &str| {
+            let plan = Plan::new(&query::parse(&format!("{state}&n=64&depthlimit={limit}")).0);
+            let tables = SpectrumTable::for_all_cascades(&plan);
+            let bits = |v: &[f64; 4]| v.map(f64::to_bits);
+            (plan.cascades, tables.iter().flat_map(|t| t.term_vectors.iter().map(bits)).collect::<Vec<_>>())
+        };
+        assert!(tables("tma") == tables("none"), "{state}");
+    }
+}
+
 /// The variances of wave systems add, in theory and on the lattices: the square of the height of four systems is the sum
 /// of the squares of their heights.
 #[test]
@@ -128,7 +143,7 @@ fn squared_heights_of_four_systems_add() {
     let alone = |i: usize| if i == 0 { SYSTEMS[0].to_owned() } else { format!("scale=0&{}", SYSTEMS[i]) };
     let squares: f64 = (0..4).map(|i| heights(&alone(i)).1.powi(2)).sum();
     let (count, theory_m, resolved_m) = heights(&SYSTEMS.join("&"));
-    eprintln!("theory {theory_m} m, resolved {resolved_m} m, sum of squares {} m2", squares);
+    eprintln!("theory {theory_m} m, resolved {resolved_m} m, sum of squares {squares} m2");
     assert_eq!(count, 4);
     assert!((theory_m * theory_m / squares - 1.0).abs() < 1e-6, "{theory_m} m, squares {squares} m2");
     assert!((resolved_m * resolved_m / squares - 1.0).abs() < 0.01, "{resolved_m} m, squares {squares} m2");

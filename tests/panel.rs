@@ -30,7 +30,8 @@ fn the_state_string_carries_every_parameter_exactly() {
             (field.set)(&mut params, value);
             assert_eq!((field.get)(&params), value, "{}", field.key);
             let state = query::write(&params);
-            assert_eq!(state, format!("{}={}", field.key, field.format(value)));
+            let without_version = state.strip_prefix("v=2&").unwrap_or(&state);
+            assert_eq!(without_version, format!("{}={}", field.key, field.format(value)));
             let (read, notices) = query::parse(&state);
             assert_eq!((read, notices), (params, Vec::new()), "{state}");
         }

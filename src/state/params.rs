@@ -9,8 +9,8 @@ use super::field::{choice_enum, integer, logarithmic, number, parameters};
 use super::floats::FloatingObject;
 pub use super::look::Look;
 pub use super::sea::{
-    DepthFactor, DispersionKind, FoamSettings, MAX_WAVE_SYSTEMS, Sea, SpectrumKind, SpreadKind, WAVE_SYSTEM_NAMES,
-    WaveSystemParams, WhitecapRule,
+    DEEP_WATER_DEPTH_M, DepthFactor, DepthLimit, DispersionKind, FoamSettings, MAX_WAVE_SYSTEMS, Sea, SpectrumKind,
+    SpreadKind, WAVE_SYSTEM_NAMES, WaveSystemParams, WhitecapRule,
 };
 
 /// All parameters of the simulator: the whole state that a link can carry. Values set with the functions of

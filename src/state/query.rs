@@ -160,7 +160,8 @@ impl ParsedState {
 }
 
 /// Writes a state string, such as `wind=14&t=40`: the parameters that differ from their default, in the order of
-/// [`FIELDS`], then the buoy spectrum, the floating objects and the name of the sky file. All values are URL-encoded.
+/// [`FIELDS`], then the buoy spectrum, the floating objects and the name of the sky file. The version `v` comes first if
+/// the string would mean something else without it. All values are URL-encoded.
 pub fn write(params: &Params) -> String {
     write_with(params, VERSION_STEPS)
 }
@@ -169,26 +170,24 @@ pub fn write(params: &Params) -> String {
 /// next, lead: [`VERSION_STEPS`], or invented steps in tests.
 fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     let defaults = Params::default();
-    let mut out = form_urlencoded::Serializer::new(String::new());
-    if let Some(version) = versions::version_to_write(steps) {
-        out.append_pair(versions::VERSION_KEY, &version);
-    }
+    let mut pairs = versions::KeyValuePairs::new();
     for field in FIELDS.iter() {
         let value = (field.get)(params);
         if value != (field.get)(&defaults) {
-            out.append_pair(field.key, &field.format(value));
+            pairs.push((field.key.into(), field.format(value).into()));
         }
     }
     if let Some(measured) = &params.sea.measured {
-        out.append_pair(MEASURED_KEY, &measured.to_state());
+        pairs.push((MEASURED_KEY.into(), measured.to_state().into()));
     }
     if !params.floating_objects.is_empty() {
-        out.append_pair(FLOATING_OBJECTS_KEY, &floats::format_floating_objects(&params.floating_objects));
+        pairs.push((FLOATING_OBJECTS_KEY.into(), floats::format_floating_objects(&params.floating_objects).into()));
     }
     if let Some(file) = &params.look.sky.file {
-        out.append_pair(SKY_KEY, &file.name);
+        pairs.push((SKY_KEY.into(), (&*file.name).into()));
     }
-    out.finish()
+    let version = versions::version_to_write(&pairs, steps).map(|v| (versions::VERSION_KEY.into(), v.into()));
+    form_urlencoded::Serializer::new(String::new()).extend_pairs(version.into_iter().chain(pairs)).finish()
 }
 
 /// Returns the state string in a text: the part between `?` and `#`; without `?` the whole text, unless it is a URL.
@@ -288,7 +287,8 @@ mod tests {
             ("v=1&wind=20&v=3", "v=3&wind=20"),
             ("v=3&wind=20&seed=7", "v=3&wind=20&seed=7"),
             ("?v=3", "v=3"),
-            ("", "v=3&fetch=100"),
+            // No step changes this string, so it needs no version.
+            ("", "fetch=100"),
         ] {
             let ParsedState { params, notices, .. } = read_with(link, MADE_UP);
             assert_eq!((write_with(&params, MADE_UP).as_str(), notices), (want, vec![]), "{link}");
@@ -308,9 +308,39 @@ mod tests {
             assert_eq!(params.sea.first_system().wind_m_s, 20.0, "{link}");
             assert!(notices.len() == 1 && notices[0].contains(says), "{notices:?}");
         }
-        // The program has only version 1, which it never writes into a string.
-        assert_eq!((parse("v=1&wind=20").1, write(&parse("v=1&wind=20").0)), (vec![], "wind=20".to_owned()));
-        assert_eq!(parse("v=2&wind=20").1.len(), 1);
+        for version in 1..=2 {
+            let (params, notices) = parse(&format!("v={version}&wind=20"));
+            assert_eq!((notices, write(&params)), (vec![], "wind=20".to_owned()), "the same in both versions");
+        }
+        assert_eq!(parse("v=3&wind=20").1.len(), 1);
+    }
+
+    #[test]
+    fn links_of_version_1_ignore_the_depth_limit() {
+        for (link, today) in [
+            ("depth=20", "depth=20&depthlimit=none"),
+            ("v=1&depth=20&wind=9", "wind=9&depth=20&depthlimit=none"),
+            ("v=2&depth=20", "v=2&depth=20"),
+            ("depth=20&depthlimit=tma", "v=2&depth=20"),
+            ("depth=20&spectrum=PM", "spectrum=pm&depth=20&depthlimit=none"),
+            // Where the limit acts on no spectrum, a string is the same in both versions.
+            ("", ""),
+            ("wind=9", "wind=9"),
+            ("depth=4000", ""),
+            ("depth=5000", "depth=5000"),
+            ("depth=30&depth=5000", "depth=5000"),
+            ("depth=deep&wind=9", "wind=9"),
+            ("spectrum=tma&depth=20", "spectrum=tma&depth=20"),
+            ("scale=0&depth=20", "scale=0&depth=20"),
+            ("spectrum=tma&depth=20&scale2=0", "spectrum=tma&depth=20"),
+            ("spectrum=tma&depth=20&spectrum2=tma&scale2=1", "spectrum=tma&spectrum2=tma&scale2=1&depth=20"),
+            // The second system has the spectrum jonswap.
+            ("spectrum=tma&depth=20&scale2=1", "spectrum=tma&scale2=1&depth=20&depthlimit=none"),
+        ] {
+            let (params, _) = parse(link);
+            assert_eq!(write(&params), today, "{link}");
+            assert_eq!(parse(today), (params, vec![]), "{link}");
+        }
     }
 
     #[test]

@@ -74,7 +74,39 @@ choice_enum! {
 }
 
 choice_enum! {
-    /// Formula for Kitaigorodskii's depth factor, 0 to 1, with which the TMA spectrum is multiplied in shallow water.
+    /// Rule by which shallow water limits the energy of spectra that were made for deep water.
+    pub enum DepthLimit {
+        /// Multiplication by Kitaigorodskii's depth factor, as in the TMA spectrum.
+        Kitaigorodskii = "tma",
+        /// No limit but breaking: the spectrum of deep water, whatever the depth is set to.
+        Ignored = "none",
+    }
+}
+
+impl SpectrumKind {
+    /// Whether the spectrum was made for deep water, so that a limit by depth acts on it. The others contain the depth:
+    /// `tma` by its own factor, `tessendorf` and `elfouhaily` as spectra over wave numbers, `marnero` and `measured` as
+    /// what was measured in place.
+    pub fn is_for_deep_water(self) -> bool {
+        match self {
+            Self::Phillips
+            | Self::GeneralisedAb
+            | Self::PiersonMoskowitz
+            | Self::Jonswap
+            | Self::Karaev
+            | Self::Donelan
+            | Self::OchiHubble
+            | Self::Torsethaugen => true,
+            Self::Tessendorf | Self::Tma | Self::Marnero | Self::Elfouhaily | Self::Measured => false,
+        }
+    }
+}
+
+/// Depth from which on the sea counts as deep water, where no limit by depth acts, m: the default depth.
+pub const DEEP_WATER_DEPTH_M: f64 = 4000.0;
+
+choice_enum! {
+    /// Formula for Kitaigorodskii's depth factor, 0 to 1, with which a spectrum is multiplied in shallow water.
     pub enum DepthFactor {
         /// Depth factor tanh^2(kh) / (1 + 2kh / sinh 2kh) of linear theory, with wave number k and water depth h.
         Exact = "exact",
@@ -217,8 +249,14 @@ parameters! {
         ],
         /// Spectrum that a wave buoy measured, for wave systems with the spectrum `measured`; `None` if there is none.
         measured: Option<Arc<MeasuredSpectrum>> = None,
-        /// Water depth. Shallow water slows and steepens long waves; with tma it also limits their energy.
-        depth_m: f64 = 4000.0 => ("depth", "Depth", "m", logarithmic(1.0, 11000.0)),
+        /// Water depth. Shallow water slows and steepens long waves, and limits their energy (depthlimit, tma).
+        depth_m: f64 = DEEP_WATER_DEPTH_M => ("depth", "Depth", "m", logarithmic(1.0, 11000.0)),
+        /// How water of less than 4000 m limits the energy of the spectra made for deep water: phillips, ab, pm, jonswap,
+        /// karaev, donelan, ochi-hubble and torsethaugen. tma: they are multiplied by Kitaigorodskii's depth factor
+        /// (1975), which makes jonswap the spectrum tma; none: they stay as in deep water. The other spectra contain
+        /// the depth already. A height that is set (hs) stays as it is.
+        depth_limit: DepthLimit = DepthLimit::Kitaigorodskii
+            => ("depthlimit", "Depth limit", "", Choice(DepthLimit::WORDS)),
         /// Dispersion relation of angular frequency w and wave number k. deep: w^2 = g k; finite, at depth h: w^2 = g k
         /// tanh(k h); capillary, with surface tension sigma and density rho: w^2 = (g k + sigma/rho k^3) tanh(k h).
         dispersion: DispersionKind = DispersionKind::Finite
@@ -229,13 +267,15 @@ parameters! {
         density_kg_m3: f64 = 1025.0 => ("density", "Density", "kg/m3", number(500.0, 2000.0)),
         /// Acceleration of gravity: Earth 9.81, Titan 1.35, Mars 3.71.
         gravity_m_s2: f64 = 9.81 => ("g", "Gravity", "m/s2", logarithmic(0.5, 30.0)),
-        /// Formula for the depth factor of tma: exact, or the fit in three branches (Thompson and Vincent 1983).
+        /// Formula for the depth factor of tma and of depthlimit=tma: exact, or the fit in three branches (Thompson and
+        /// Vincent 1983).
         depth_factor: DepthFactor = DepthFactor::Exact
             => ("tmafit", "TMA depth factor", "", Choice(DepthFactor::WORDS)),
         /// Computes alpha and gamma of tma from kappa = U^2 k_p / g (wind speed U, peak wave number k_p), as alpha =
         /// 0.0078 kappa^0.49 and gamma = 2.47 kappa^0.39 (Bouws et al. 1985), instead of taking those of jonswap.
         tma_bouws_parameters: bool = false => ("bouws", "TMA alpha, gamma", "", Flag),
-        /// Multiplies the spectrum karaev by the depth factor of tma at frequencies up to 1.2 times the peak frequency.
+        /// Multiplies the spectrum karaev by the depth factor of tma at frequencies up to 1.2 times the peak frequency,
+        /// instead of at all frequencies as depthlimit=tma does.
         karaev_tma: bool = false => ("karaevtma", "Karaev in the shallows", "", Flag),
         /// Precision of the integral that normalises a directional spreading without a closed form: number of 15-point
         /// quadrature panels in each of its pieces, of which there are up to six.
@@ -273,6 +313,16 @@ impl Sea {
     pub fn set_measured_spectrum(&mut self, measured: MeasuredSpectrum) {
         self.measured = Some(Arc::new(measured));
         self.systems[0].spectrum = SpectrumKind::Measured;
+    }
+
+    /// Whether water of this depth limits the energy of a spectrum by Kitaigorodskii's depth factor, beside what the
+    /// spectrum contains of it already.
+    pub fn limits_by_depth(&self, spectrum: SpectrumKind) -> bool {
+        let has_own_rule = spectrum == SpectrumKind::Karaev && self.karaev_tma;
+        self.depth_limit == DepthLimit::Kitaigorodskii
+            && self.depth_m < DEEP_WATER_DEPTH_M
+            && spectrum.is_for_deep_water()
+            && !has_own_rule
     }
 
     /// Choppiness along x (east) and z (south), the products of `chop` with `chopx` and `chopz`: factors on the

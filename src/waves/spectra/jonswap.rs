@@ -1,7 +1,7 @@
 //! JONSWAP, the spectrum of a fetch-limited sea, and TMA, the same spectrum times a depth factor for shallow water.
 
+use super::depth_limit::with_depth_factor;
 use super::spectrum::{FrequencySpectrum, SpectrumInputs, peak_enhancement};
-use crate::state::params::DepthFactor;
 use crate::waves::dispersion::Dispersion;
 use crate::waves::quadrature::integrate_adaptive;
 
@@ -40,31 +40,8 @@ pub fn tma(inputs: &SpectrumInputs<'_>) -> FrequencySpectrum {
         tma.alpha_g2 = 0.0078 * kappa.powf(0.49) * g * g;
         tma.gamma = 2.47 * kappa.powf(0.39);
     }
-    let factor = depth_factor(inputs);
-    let mut out = FrequencySpectrum::new(tma.omega_p, move |omega| tma.density(omega) * factor(omega));
-    if sea.depth_factor == DepthFactor::Branches {
-        out.integration_breakpoints_rad_s.extend([1.0, 2.0].map(|x| x / (sea.depth_m / g).sqrt()));
-    }
-    FrequencySpectrum { notice: full_development_notice(inputs), ..out }
-}
-
-/// Returns the depth factor of Kitaigorodskii et al. 1975 as a function of the angular frequency (rad/s). The factor is
-/// 1 in deep water and reduces the spectrum in shallow water.
-pub fn depth_factor(inputs: &SpectrumInputs<'_>) -> impl Fn(f64) -> f64 + Copy + Send + Sync + use<> {
-    let (form, g, depth_m) = (inputs.sea.depth_factor, inputs.gravity_m_s2, inputs.sea.depth_m);
-    let dispersion = Dispersion::finite_depth(g, depth_m);
-    move |omega| match form {
-        DepthFactor::Exact => {
-            let kh = depth_m * dispersion.wave_number(omega);
-            let shallow = if kh > 300.0 { 0.0 } else { 2.0 * kh / (2.0 * kh).sinh() };
-            kh.tanh().powi(2) / (1.0 + shallow)
-        }
-        DepthFactor::Branches => match omega * (depth_m / g).sqrt() {
-            x if x <= 1.0 => 0.5 * x * x,
-            x if x < 2.0 => 1.0 - 0.5 * (2.0 - x).powi(2),
-            _ => 1.0,
-        },
-    }
+    let deep = FrequencySpectrum::new(tma.omega_p, move |omega| tma.density(omega));
+    FrequencySpectrum { notice: full_development_notice(inputs), ..with_depth_factor(inputs, deep) }
 }
 
 /// Notice that the fetch is beyond full development, where a real sea stops growing and JONSWAP does not; `None` for a
@@ -114,8 +91,7 @@ impl Jonswap {
 #[cfg(test)]
 mod tests {
     use super::super::tests::{G, at, close, same};
-    use super::*;
-    use crate::state::params::{Sea, SpectrumKind};
+    use crate::state::params::SpectrumKind;
 
     #[test]
     fn jonswap_meets_its_own_energy_law_at_short_fetch() {
@@ -123,28 +99,6 @@ mod tests {
         let x = 100.0;
         let energy = at(SpectrumKind::Jonswap, 10.0, x * 100.0 / G / 1000.0, same).variance_m2() * (G / 100.0).powi(2);
         close(energy, 1.6e-7 * x, 0.1);
-    }
-
-    #[test]
-    fn the_depth_factor() {
-        let phi = |form: DepthFactor, omega_h: f64| {
-            let set = |sea: &mut Sea| {
-                sea.depth_m = 20.0;
-                sea.depth_factor = form;
-            };
-            let omega = omega_h / (20.0 / G).sqrt();
-            at(SpectrumKind::Tma, 10.0, 100.0, set).density(omega)
-                / at(SpectrumKind::Jonswap, 10.0, 100.0, set).density(omega)
-        };
-        for (omega_h, value) in [(0.9, 0.405), (1.5, 0.875), (2.0, 1.0), (3.0, 1.0), (10.0, 1.0)] {
-            close(phi(DepthFactor::Branches, omega_h), value, 1e-9);
-        }
-        for i in 1..60 {
-            let omega_h = 0.8 + 0.1 * f64::from(i);
-            let (exact, fit) = (phi(DepthFactor::Exact, omega_h), phi(DepthFactor::Branches, omega_h));
-            assert!((exact - fit).abs() < 0.024 && exact <= 1.0 + 1e-9, "{omega_h}: {exact} {fit}");
-            assert!(phi(DepthFactor::Exact, omega_h + 0.1) >= exact - 1e-9, "monotone");
-        }
     }
 
     #[test]

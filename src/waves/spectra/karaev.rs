@@ -1,6 +1,7 @@
 //! Spectrum of Karaev and Balandina 2000 and Karaev et al. 2008: JONSWAP with a tail of power laws to capillary waves.
 
-use super::jonswap::{Jonswap, depth_factor};
+use super::depth_limit::depth_factor;
+use super::jonswap::Jonswap;
 use super::spectrum::{FrequencySpectrum, SpectrumInputs};
 
 /// Smallest and largest dimensionless fetch g F / U^2 (gravity g, fetch F, wind speed U) for which Karaev's fit of the

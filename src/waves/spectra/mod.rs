@@ -5,6 +5,7 @@
 //! three files: its own, this one (its `mod` line and its arm of `spectrum_of_family`), and `state/sea.rs` (its variant
 //! and its word).
 
+mod depth_limit;
 mod donelan;
 mod elfouhaily;
 mod generalised_ab;
@@ -22,6 +23,7 @@ mod torsethaugen;
 
 use super::dispersion::Dispersion;
 use crate::state::params::{Sea, SpectrumKind, WaveSystemParams};
+use depth_limit::with_depth_factor;
 use spectrum::SpectrumInputs;
 use std::f64::consts::TAU;
 
@@ -47,7 +49,7 @@ pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpec
         let wind_m_s = system.wind_m_s.max(MIN_WIND_M_S);
         let fetch = 1000.0 * system.fetch_km * gravity_m_s2 / (wind_m_s * wind_m_s);
         let omega_p = (system.tp_s > 0.0).then(|| TAU / system.tp_s.max(MIN_PEAK_PERIOD_S));
-        spectrum_of_family(&SpectrumInputs {
+        let inputs = SpectrumInputs {
             sea,
             system,
             dispersion,
@@ -55,7 +57,9 @@ pub fn spectrum_of_system(sea: &Sea, system: &WaveSystemParams) -> FrequencySpec
             wind_m_s,
             dimensionless_fetch: fetch,
             user_omega_p: omega_p,
-        })
+        };
+        let family = spectrum_of_family(&inputs);
+        if sea.limits_by_depth(system.spectrum) { with_depth_factor(&inputs, family) } else { family }
     };
     if is_measured && sea.measured.is_none() {
         let notice = "spectrum=measured needs a buoy's file: drop one here or give it with --spectrum; until then \
