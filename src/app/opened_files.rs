@@ -79,6 +79,8 @@ impl App {
         if let [(name, bytes)] = files {
             if picture::is_png(bytes) {
                 let state = picture::state_from_png(bytes).map_err(|reason| format!("{name}: {reason}"))?;
+                // Like a link, a picture without a version is one of the first version.
+                let state = format!("?{state}");
                 self.open_link(&state);
                 return Ok(());
             }
@@ -103,7 +105,7 @@ impl App {
     /// Adds the seas of a text file, which the panel's button "Export" saved, to the user's own named seas, in place of
     /// those of equal name.
     fn import_seas(&mut self, text: &str) {
-        let (seas, notices) = presets::read(text);
+        let (seas, notices) = presets::read_kept(text);
         let count = seas.len();
         self.notices = notices;
         match self.own_seas.add(seas) {

@@ -11,7 +11,7 @@ impl App {
     /// The link to the current sea: the page's address with the state string; on the desktop the bare state string.
     pub fn link(&self) -> String {
         #[cfg(target_arch = "wasm32")]
-        return super::web::page_link(&self.state());
+        return super::web::page_link(&query::write_to_keep(&with_rounded_pose(&self.params)));
         #[cfg(not(target_arch = "wasm32"))]
         self.state()
     }
@@ -26,7 +26,7 @@ impl App {
     pub(super) fn copy_iframe(&mut self) {
         let mut params = with_rounded_pose(&self.params);
         params.screen.panel = false;
-        let state = query::write(&params);
+        let state = query::write_to_keep(&params);
         #[cfg(target_arch = "wasm32")]
         let link = super::web::page_link(&state);
         #[cfg(not(target_arch = "wasm32"))]
@@ -58,7 +58,7 @@ impl App {
     pub(super) fn save_picture(&mut self) {
         let Some((params, size)) = self.drawn.clone() else { return };
         let params = with_rounded_pose(&params);
-        let (state, link) = (query::write(&params), self.link());
+        let (state, link) = (query::write_to_keep(&params), self.link());
         let gpu = self.gpu();
         let format = self.render_state.target_format;
         let encoder = gpu.encoder("screenshot");

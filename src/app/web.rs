@@ -257,7 +257,7 @@ async fn park_when_lost(runner: eframe::WebRunner, parked: ParkedApp, gpu_errors
 
 /// Creates an app with the state string in the page's address. Its clock is stopped if the user prefers reduced motion.
 fn app_from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
-    let mut app = App::new(cc, &address_query())?;
+    let mut app = App::new(cc, &format!("?{}", address_query()))?;
     if prefers_reduced_motion() {
         app.params.clock.paused = true;
     }
@@ -307,7 +307,7 @@ impl App {
         let query = address_query();
         if query != self.address.query {
             let clock = self.params.clock.clone();
-            self.set_state(&query);
+            self.set_state(&format!("?{query}"));
             // A running clock keeps its time, unless the opened link stops the clock.
             if !clock.paused && !self.params.clock.paused {
                 self.params.clock.t_s = clock.t_s;
@@ -317,8 +317,8 @@ impl App {
             return;
         }
         let now = with_rounded_pose(&self.params);
-        let state = query::write(&now);
-        if state == query::write(&self.address.history_entry_params) {
+        let state = query::write_to_keep(&now);
+        if state == query::write_to_keep(&self.address.history_entry_params) {
             return;
         }
         if self.address.last_write.elapsed().as_secs_f32() < ADDRESS_WRITE_INTERVAL_S {

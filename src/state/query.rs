@@ -65,7 +65,8 @@ fn read_with(text: &str, steps: &[VersionStep]) -> ParsedState {
         query = &query[..query.floor_char_boundary(MAX_STATE_BYTES)];
         reading.notices.push(format!("the state string is longer than {MAX_STATE_BYTES} bytes: the rest was ignored"));
     }
-    let (pairs, notice) = versions::upgrade_pairs(form_urlencoded::parse(query.as_bytes()).collect(), steps);
+    let version = if is_link(text) { versions::FIRST_VERSION } else { versions::newest(steps) };
+    let (pairs, notice) = versions::upgrade_pairs(form_urlencoded::parse(query.as_bytes()).collect(), version, steps);
     reading.notices.extend(notice);
     let mut seen = Vec::new();
     for (key, value) in pairs {
@@ -160,14 +161,19 @@ impl ParsedState {
 }
 
 /// Writes a state string, such as `wind=14&t=40`: the parameters that differ from their default, in the order of
-/// [`FIELDS`], then the buoy spectrum, the floating objects and the name of the sky file. The version `v` comes first if
-/// the string would mean something else without it. All values are URL-encoded.
+/// [`FIELDS`], then the buoy spectrum, the floating objects and the name of the sky file. All values are URL-encoded.
 pub fn write(params: &Params) -> String {
+    write_with(params, &[])
+}
+
+/// Writes the state string for a link, a picture or a list that somebody may keep: as [`write()`], after the version `v`
+/// if a link without it would be read as another sea.
+pub fn write_to_keep(params: &Params) -> String {
     write_with(params, VERSION_STEPS)
 }
 
-/// Does the work of [`write()`], with the version number to which `steps`, the translations from each version to the
-/// next, lead: [`VERSION_STEPS`], or invented steps in tests.
+/// Does the work of [`write_to_keep`], with `steps`, the translations from each version to the next: [`VERSION_STEPS`],
+/// or invented ones in tests.
 fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     let defaults = Params::default();
     let mut pairs = versions::KeyValuePairs::new();
@@ -188,6 +194,11 @@ fn write_with(params: &Params, steps: &[VersionStep]) -> String {
     }
     let version = versions::version_to_write(&pairs, steps).map(|v| (versions::VERSION_KEY.into(), v.into()));
     form_urlencoded::Serializer::new(String::new()).extend_pairs(version.into_iter().chain(pairs)).finish()
+}
+
+/// Whether a text is a link, whole or from its `?` on, which somebody may have kept, and not a bare state string.
+fn is_link(text: &str) -> bool {
+    text.contains('?')
 }
 
 /// Returns the state string in a text: the part between `?` and `#`; without `?` the whole text, unless it is a URL.
@@ -281,18 +292,22 @@ mod tests {
     #[test]
     fn old_links_say_in_new_words_what_they_said() {
         for (link, want) in [
-            ("wind=20&draw=7", "v=3&wind=10&fetch=100&seed=7"),
+            ("?wind=20&draw=7", "v=3&wind=10&fetch=100&seed=7"),
             ("v=1&wind=20&draw=7&fetch=80", "v=3&wind=10&fetch=80&seed=7"),
-            ("wind=20&v=2&draw=7", "v=3&wind=20&fetch=100&seed=7"),
-            ("v=1&wind=20&v=3", "v=3&wind=20"),
-            ("v=3&wind=20&seed=7", "v=3&wind=20&seed=7"),
+            ("?wind=20&v=2&draw=7", "v=3&wind=20&fetch=100&seed=7"),
+            ("?v=1&wind=20&v=3", "v=3&wind=20"),
+            ("?v=3&wind=20&seed=7", "v=3&wind=20&seed=7"),
             ("?v=3", "v=3"),
-            // No step changes this string, so it needs no version.
-            ("", "fetch=100"),
+            // A bare string has the newest version.
+            ("wind=20&seed=7", "v=3&wind=20&seed=7"),
+            // No step changes this link, so it needs no version.
+            ("?", "fetch=100"),
         ] {
             let ParsedState { params, notices, .. } = read_with(link, MADE_UP);
             assert_eq!((write_with(&params, MADE_UP).as_str(), notices), (want, vec![]), "{link}");
-            assert_eq!(read_with(want, MADE_UP).params, params, "{link}");
+            for text in [want.to_owned(), format!("?{want}"), format!("https://example.org/?{want}")] {
+                assert_eq!(read_with(&text, MADE_UP).params, params, "{text}");
+            }
         }
         assert_eq!(read_with("v=2&wind=20&wrong=1", MADE_UP).keys_taken, ["fetch", "wind"]);
     }
@@ -308,38 +323,41 @@ mod tests {
             assert_eq!(params.sea.first_system().wind_m_s, 20.0, "{link}");
             assert!(notices.len() == 1 && notices[0].contains(says), "{notices:?}");
         }
-        for version in 1..=2 {
-            let (params, notices) = parse(&format!("v={version}&wind=20"));
-            assert_eq!((notices, write(&params)), (vec![], "wind=20".to_owned()), "the same in both versions");
-        }
         assert_eq!(parse("v=3&wind=20").1.len(), 1);
     }
 
     #[test]
-    fn links_of_version_1_ignore_the_depth_limit() {
+    fn links_of_version_1_keep_their_sea() {
         for (link, today) in [
-            ("depth=20", "depth=20&depthlimit=none"),
-            ("v=1&depth=20&wind=9", "wind=9&depth=20&depthlimit=none"),
-            ("v=2&depth=20", "v=2&depth=20"),
-            ("depth=20&depthlimit=tma", "v=2&depth=20"),
-            ("depth=20&spectrum=PM", "spectrum=pm&depth=20&depthlimit=none"),
-            // Where the limit acts on no spectrum, a string is the same in both versions.
+            ("?depth=20", "depth=20&depthlimit=none&order=1"),
+            ("v=1&depth=20&wind=9", "wind=9&depth=20&depthlimit=none&order=1"),
+            ("?v=2&depth=20", "v=2&depth=20"),
+            ("depth=20", "v=2&depth=20"),
+            ("?depth=20&depthlimit=tma", "v=2&depth=20&order=1"),
+            ("?depth=20&spectrum=PM", "spectrum=pm&depth=20&depthlimit=none&order=1"),
+            ("?order=2", ""),
+            ("?order=2&wind=9", "v=2&wind=9"),
+            // The default sea of each program.
             ("", ""),
-            ("wind=9", "wind=9"),
-            ("depth=4000", ""),
-            ("depth=5000", "depth=5000"),
-            ("depth=30&depth=5000", "depth=5000"),
-            ("depth=deep&wind=9", "wind=9"),
-            ("spectrum=tma&depth=20", "spectrum=tma&depth=20"),
-            ("scale=0&depth=20", "scale=0&depth=20"),
-            ("spectrum=tma&depth=20&scale2=0", "spectrum=tma&depth=20"),
-            ("spectrum=tma&depth=20&spectrum2=tma&scale2=1", "spectrum=tma&spectrum2=tma&scale2=1&depth=20"),
+            ("?", ""),
+            // Where the limit by depth acts on no spectrum.
+            ("?wind=9", "wind=9&order=1"),
+            ("?depth=4000", "order=1"),
+            ("?depth=5000", "depth=5000&order=1"),
+            ("?depth=30&depth=5000", "depth=5000&order=1"),
+            ("?depth=deep&wind=9", "wind=9&order=1"),
+            ("?spectrum=tma&depth=20", "spectrum=tma&depth=20&order=1"),
+            ("?scale=0&depth=20", "scale=0&depth=20&order=1"),
+            ("?spectrum=tma&depth=20&scale2=0", "spectrum=tma&depth=20&order=1"),
+            ("?spectrum=tma&depth=20&spectrum2=tma&scale2=1", "spectrum=tma&spectrum2=tma&scale2=1&depth=20&order=1"),
             // The second system has the spectrum jonswap.
-            ("spectrum=tma&depth=20&scale2=1", "spectrum=tma&scale2=1&depth=20&depthlimit=none"),
+            ("?spectrum=tma&depth=20&scale2=1", "spectrum=tma&scale2=1&depth=20&depthlimit=none&order=1"),
         ] {
             let (params, _) = parse(link);
-            assert_eq!(write(&params), today, "{link}");
-            assert_eq!(parse(today), (params, vec![]), "{link}");
+            assert_eq!(write_to_keep(&params), today, "{link}");
+            for text in [today.to_owned(), format!("?{today}")] {
+                assert_eq!(parse(&text), (params.clone(), vec![]), "{link}");
+            }
         }
     }
 

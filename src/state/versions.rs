@@ -1,10 +1,10 @@
 //! Versions of the state string, which let old links keep their meaning.
 //!
-//! A state string without the key `v` has version 1. A new version is needed only when a key or its absence changes its
+//! A link without the key `v` has version 1, because somebody may have kept it. A bare state string, as one types it,
+//! has the newest version. A new version is needed only when a key or its absence changes its
 //! meaning (another unit, formula or default), not when keys are added. Then [`VERSION_STEPS`] gets a function that
 //! translates the old string. Strings are translated from each version to the next; tests/links.txt holds links that must
-//! keep their meaning. [`query`](super::query) writes `v` only where a string without it would be translated to another
-//! one, so most strings have no `v` and mean the same in every version.
+//! keep their meaning. [`query`](super::query) writes `v` where a link without it would be translated to another string.
 
 use super::params::{DEEP_WATER_DEPTH_M, Sea, SpectrumKind};
 use std::borrow::Cow;
@@ -26,7 +26,8 @@ pub(super) const VERSION_STEPS: &[VersionStep] = &[with_values_before_version_2]
 type ValueBefore = (&'static str, &'static str, fn(&KeyValuePairs<'_>) -> bool);
 
 /// What strings of version 1 mean by the absence of a key, where version 2 means something else.
-const VALUES_BEFORE_VERSION_2: &[ValueBefore] = &[("depthlimit", "none", has_spectrum_for_deep_water_in_shallow_water)];
+const VALUES_BEFORE_VERSION_2: &[ValueBefore] =
+    &[("depthlimit", "none", has_spectrum_for_deep_water_in_shallow_water), ("order", "1", |_| true)];
 
 /// Translates version 1 to 2: adds the values of [`VALUES_BEFORE_VERSION_2`] whose keys are absent. A string without any
 /// pair stays empty: it is the default sea of each version, not a sea that somebody kept.
@@ -62,17 +63,27 @@ fn has_spectrum_for_deep_water_in_shallow_water(pairs: &KeyValuePairs<'_>) -> bo
         && Sea::default().systems.iter().enumerate().any(is_limited)
 }
 
+/// Version of a link without the key `v`.
+pub(super) const FIRST_VERSION: usize = 1;
+
+/// The newest version, which `steps` lead to.
+pub(super) fn newest(steps: &[VersionStep]) -> usize {
+    FIRST_VERSION + steps.len()
+}
+
 /// Translates the keys and values of a state string from its version to the newest by `steps`, and removes the key `v`.
+/// Without this key the string has the version `unnamed_version`.
 /// If the version is unknown, only removes it, and returns a message to the user.
 pub(super) fn upgrade_pairs<'a>(
     pairs: KeyValuePairs<'a>,
+    unnamed_version: usize,
     steps: &[VersionStep],
 ) -> (KeyValuePairs<'a>, Option<String>) {
-    let newest = steps.len() + 1;
+    let newest = newest(steps);
     let (versions, pairs): (KeyValuePairs<'a>, KeyValuePairs<'a>) =
         pairs.into_iter().partition(|(key, _)| key == VERSION_KEY);
     let (version, notice) = match versions.last().map(|(_, text)| text.trim().parse::<usize>()) {
-        None => (1, None),
+        None => (unnamed_version, None),
         Some(Ok(version)) if (1..=newest).contains(&version) => (version, None),
         Some(Ok(version)) if version > newest => {
             let notice = format!(
@@ -86,9 +97,9 @@ pub(super) fn upgrade_pairs<'a>(
 }
 
 /// Version number to write into a new state string with the given pairs: one more than the number of translations in
-/// `steps`, or `None` if the string means the same without a version, as one of version 1.
+/// `steps`, or `None` if a link with these pairs means the same without a version.
 pub(super) fn version_to_write(pairs: &KeyValuePairs<'_>, steps: &[VersionStep]) -> Option<String> {
     let borrowed: KeyValuePairs<'_> = pairs.iter().map(|(k, v)| (Cow::from(&**k), Cow::from(&**v))).collect();
     let translated = steps.iter().fold(borrowed, |pairs, step| step(pairs));
-    (translated != *pairs).then(|| (steps.len() + 1).to_string())
+    (translated != *pairs).then(|| newest(steps).to_string())
 }

@@ -3,7 +3,7 @@
 use super::spectra::{self, FrequencySpectrum};
 use super::spreading::{CosineFactor, MAX_LOBES, Spreading, SpreadingAtFrequency};
 use crate::files::measured::MaximumEntropyDistribution;
-use crate::state::params::{MAX_WAVE_SYSTEMS, Sea, WaveSystemParams};
+use crate::state::params::{MAX_WAVE_SYSTEMS, Sea};
 use std::f64::consts::TAU;
 
 /// Largest number of terms whose sum is the directional spectrum of a sea, and largest number of vectors of four numbers

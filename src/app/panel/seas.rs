@@ -23,7 +23,7 @@ pub struct OwnSeas {
 impl OwnSeas {
     /// Loads the user's own named seas from storage.
     pub fn load() -> Self {
-        let (seas, stored_list_errors) = presets::read(&storage::load_seas());
+        let (seas, stored_list_errors) = presets::read_kept(&storage::load_seas());
         Self { seas, stored_list_errors, ..Self::default() }
     }
 

@@ -86,7 +86,7 @@ impl Preset {
         }
         carried.sea.measured.clone_from(&params.sea.measured);
         carried.look.sky.file.clone_from(&params.look.sky.file);
-        Self { name: name.to_owned(), state: query::write(&carried), ..Self::default() }.sanitised()
+        Self { name: name.to_owned(), state: query::write_to_keep(&carried), ..Self::default() }.sanitised()
     }
 
     /// Returns the parameters `now` changed to this preset, and one notice for each value of its state string that was
@@ -285,6 +285,17 @@ pub fn read(text: &str) -> (Vec<Preset>, Vec<String>) {
         notices.push(format!("more than {MAX_PRESETS} seas: {surplus} ignored"));
     }
     truncate_notices(&mut notices);
+    (presets, notices)
+}
+
+/// Reads a list that a user has kept, as [`read`] does. Like a link, a sea without a version has the first one.
+pub fn read_kept(text: &str) -> (Vec<Preset>, Vec<String>) {
+    let (mut presets, notices) = read(text);
+    for preset in &mut presets {
+        if !preset.state.split('&').any(|pair| pair.starts_with("v=")) {
+            preset.state.insert_str(0, "v=1&");
+        }
+    }
     (presets, notices)
 }
 
