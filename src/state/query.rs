@@ -224,7 +224,8 @@ mod tests {
 
     #[test]
     fn a_pasted_url_is_read() {
-        for text in ["wind=14&fetch=300", "?wind=14&fetch=300", "https://example.org/sea/?wind=14&fetch=300#top"] {
+        let link = "https://example.org/sea/?v=2&wind=14&fetch=300#top";
+        for text in ["wind=14&fetch=300", "?v=2&wind=14&fetch=300", link] {
             let (p, notices) = parse(text);
             assert_eq!(
                 (p.sea.first_system().wind_m_s, p.sea.first_system().fetch_km, notices.len()),
@@ -346,6 +347,7 @@ mod tests {
             ("?depth=5000", "depth=5000&order=1"),
             ("?depth=30&depth=5000", "depth=5000&order=1"),
             ("?depth=deep&wind=9", "wind=9&order=1"),
+            ("?depth=-inf&wind=9", "wind=9&order=1"),
             ("?spectrum=tma&depth=20", "spectrum=tma&depth=20&order=1"),
             ("?scale=0&depth=20", "scale=0&depth=20&order=1"),
             ("?spectrum=tma&depth=20&scale2=0", "spectrum=tma&depth=20&order=1"),

@@ -51,7 +51,8 @@ fn last_value<'p>(pairs: &'p KeyValuePairs<'_>, key: &str) -> Option<&'p str> {
 /// Whether a string names a depth below [`DEEP_WATER_DEPTH_M`], and a wave system that is on has a spectrum on which the
 /// depth limit acts.
 fn has_spectrum_for_deep_water_in_shallow_water(pairs: &KeyValuePairs<'_>) -> bool {
-    let number = |key: &str| last_value(pairs, key).and_then(|text| text.parse::<f64>().ok());
+    // As for a field, a number that is not finite is ignored.
+    let number = |key: &str| last_value(pairs, key)?.parse().ok().filter(|x: &f64| x.is_finite());
     let is_limited = |(i, default): (usize, &super::params::WaveSystemParams)| {
         let suffix = if i == 0 { String::new() } else { (i + 1).to_string() };
         let word = last_value(pairs, &format!("spectrum{suffix}")).unwrap_or(default.spectrum.word());
