@@ -12,7 +12,7 @@ const SEEDS: u32 = 64;
 
 /// Spectrum, spreading, wind (m/s), fetch (km), depth (m), and what else there is.
 type State = (&'static str, &'static str, f64, f64, f64, &'static str);
-const SEAS: [State; 16] = [
+const SEAS: [State; 19] = [
     ("phillips", "hasselmann", 10.0, 100.0, 4000.0, ""),
     ("tessendorf", "donelan-banner", 15.0, 300.0, 4000.0, ""),
     ("ab", "cos2", 7.0, 50.0, 30.0, "&coefb=1.5"),
@@ -29,6 +29,17 @@ const SEAS: [State; 16] = [
     ("jonswap", "hasselmann", 12.0, 250.0, 4000.0, "&scale2=1&hs2=2&tp2=13&dir2=330&spread2=mitsuyasu"),
     ("jonswap", "donelan-banner", 12.0, 250.0, 4000.0, "&overlap=1"),
     ("pm", "hasselmann", 12.0, 250.0, 4000.0, "&cascades=3&patch1=700&patch2=97&patch3=11.3&high1=1.1&low2=0.6"),
+    (
+        "jonswap",
+        "donelan-banner",
+        11.0,
+        120.0,
+        4000.0,
+        "&scale2=1&dir2=310&scale3=1&hs3=1.2&tp3=10&dir3=150&scale4=1&spectrum4=pm&spread4=elfouhaily",
+    ),
+    // The depth limit at kp h of 1 and 1.2.
+    ("jonswap", "hasselmann", 10.0, 100.0, 8.0, "&v=2"),
+    ("pm", "donelan-banner", 12.0, 250.0, 20.0, "&v=2&scale2=1&dir2=230"),
 ];
 
 /// The table above, and a usual sea for every spectrum that it does not have.

@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn jonswap_with_the_limit_is_tma() {
-        // Peak frequency 1.008 rad/s: kp h is 3, 1.5, 1 and 0.5.
+        // The peak frequency is 1.008 rad/s.
         for (depth_m, kp_h) in [(29.1, 3.0), (16.0, 1.5), (12.6, 1.27), (8.0, 1.0), (2.3, 0.5)] {
             for form in [DepthFactor::Exact, DepthFactor::Branches] {
                 let shallow = |sea: &mut Sea| {
