@@ -33,6 +33,9 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("coefb2", "scale2=1&spectrum2=ab&hs2=0&tp2=0", "0.3"),
     ("fade2", "scale2=1", "6"),
     ("blendto2", "scale2=1&blend2=0.5", ""),
+    // In shallow water the default limit by depth makes jonswap the spectrum tma.
+    ("spectrum", "depthlimit=none", ""),
+    ("spectrum2", "scale2=1&depthlimit=none", ""),
     ("*2", "scale2=1", ""),
     ("tension", "dispersion=capillary&cascades=1&patch1=2&wind=5&fetch=1", ""),
     ("density", "dispersion=capillary&cascades=1&patch1=2&wind=5&fetch=1", ""),

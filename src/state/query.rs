@@ -21,6 +21,8 @@ const MEASURED_KEY: &str = "measured";
 pub(super) const SKY_KEY: &str = "sky";
 /// Key of the floating objects in a state string.
 const FLOATING_OBJECTS_KEY: &str = "afloat";
+/// The keys that are not in [`FIELDS`].
+pub(super) const OTHER_KEYS: [&str; 3] = [MEASURED_KEY, SKY_KEY, FLOATING_OBJECTS_KEY];
 
 /// Result of reading a state string: parameters, the keys that it sets, and messages to the user.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -27,7 +27,7 @@ type ValueBefore = (&'static str, &'static str, fn(&KeyValuePairs<'_>) -> bool);
 
 /// What strings of version 1 mean by the absence of a key, where version 2 means something else.
 const VALUES_BEFORE_VERSION_2: &[ValueBefore] =
-    &[("depthlimit", "none", has_spectrum_for_deep_water_in_shallow_water), ("order", "1", |_| true)];
+    &[("depthlimit", "none", has_spectrum_for_deep_water_in_shallow_water), ("order", "1", names_a_parameter)];
 
 /// Translates version 1 to 2: adds the values of [`VALUES_BEFORE_VERSION_2`] whose keys are absent. A string without any
 /// pair stays empty: it is the default sea of each version, not a sea that somebody kept.
@@ -46,6 +46,11 @@ fn with_values_before_version_2(mut pairs: KeyValuePairs<'_>) -> KeyValuePairs<'
 /// Value of the last pair with the key `key`, which is the one that counts.
 fn last_value<'p>(pairs: &'p KeyValuePairs<'_>, key: &str) -> Option<&'p str> {
     pairs.iter().rev().find(|(k, _)| k == key).map(|(_, value)| value.trim())
+}
+
+/// Whether a string names anything that this program knows: what it does not know is no sea that somebody kept.
+fn names_a_parameter(pairs: &KeyValuePairs<'_>) -> bool {
+    pairs.iter().any(|(key, _)| super::fields::find(key).is_some() || super::query::OTHER_KEYS.contains(&&**key))
 }
 
 /// Whether a string names a depth below [`DEEP_WATER_DEPTH_M`], and a wave system that is on has a spectrum on which the
