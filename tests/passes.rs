@@ -14,6 +14,13 @@ use seastate::sim::transform::FftImplementation;
 use seastate::state::query;
 use seastate::waves::Plan;
 
+/// A sea of densities over 24 directions, of which the shortest waves come from another side than the longest.
+const TABULATED: &str = "spectrum=measured&measured=d*24*7.5_\
+    0.05*0.5*AAAAAAAAAAAAAAAAAAAAAAAAAAAVFogK..tZLWA9ACAAAAAA_\
+    0.1*3*AAAAAAACBTNNhDU6DTAIAFAzE8SNqS....qSSNE8AzAFAAAA_\
+    0.2*1*AAAAAAAAADAwITfwmedLk6y09I..6YuRflSTIxDXA9AMABAA_\
+    0.4*0.1*AAABANBHDbH1OpXsiOs92a9H..-i5BwVl2bGRcJ1EpBsAZAC";
+
 /// How an adapter computes the waves.
 type Kind = (FftImplementation, MapFormat);
 const GPU: Kind = (FftImplementation::Workgroup, MapFormat::Half);
@@ -76,6 +83,7 @@ fn other_seas_agree_with_the_oracle() {
         "spectrum=elfouhaily&spread=elfouhaily&swell=0.4&dispersion=capillary&cascades=3&patch3=0.7&chopx=0.5&chopz=1.3",
         "spread=cos2-positive&blendto=hasselmann&blend=0.4&iso=0.2&scale2=1&hs2=2&tp2=12&dir2=310&overlap=1",
         FOUR_SYSTEMS,
+        TABULATED,
         "spectrum=measured&measured=0.05*0.5*250*251*0.8*0.5_0.1*3*240*241*0.7*0.4_0.2*1*200*230*0.5*0.2_0.4*0.1*190*190*0.4*0.1",
     ] {
         assert_right(&format!("{state}&n=64"), SOFTWARE);
@@ -136,6 +144,22 @@ fn a_planted_fault_of_one_per_cent_is_found() {
         let lines = run(state, kind, Shaders::default().patched(module, from, to));
         let found = lines.iter().filter(|l| !l.passes()).map(|l| l.pass_and_quantity).collect::<Vec<_>>();
         assert!(found.iter().any(|what| what.starts_with(red)), "\"{to}\" in {module} went unseen: {found:?}");
+    }
+}
+
+#[test]
+fn a_fault_in_tabulated_directions_is_found() {
+    for (from, to) in [
+        // One band weighs 1 % more.
+        ("weights[i] * row[b] *", "weights[i] * (row[b] + 0.01 * row.y * f32(b)) *"),
+        // All directions turn by a hundredth of a step.
+        ("- (head.y - first);", "- (head.y - first) + 0.01;"),
+        // The mean is taken over an angle that is 1 % too wide.
+        ("let width = head.x *", "let width = 1.01 * head.x *"),
+    ] {
+        let lines = run(&format!("{TABULATED}&n=64"), SOFTWARE, Shaders::default().patched("waves/spectrum", from, to));
+        let found = lines.iter().any(|l| !l.passes() && l.pass_and_quantity.starts_with("spectrum"));
+        assert!(found, "\"{to}\" went unseen");
     }
 }
 

@@ -1,7 +1,7 @@
 // Spectrum pass: the amplitudes h0(k) = 1/2 (xr + i xi) sqrt(S(k) dkx dkz) with normal random numbers xr and xi, once
 // per sea. During an interpolation between two seas of the same waves, it makes one step from the current h0 towards
 // this value. The spectrum S(k) is a sum of terms: spreading lobes around the direction of a wave system, and
-// directional distributions measured by a buoy.
+// directional distributions measured by a buoy or given as densities over frequency and direction.
 
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<storage, read> spectrum_table: array<vec4f>; // see src/waves/table.rs
@@ -34,6 +34,54 @@ fn spectrum_buoy_distribution(phi1: vec2f, phi2: vec2f, k: vec2f) -> f32 {
   return 1.0 / max(dot(z, z), 1e-12);
 }
 
+// Density of one band of the measured spectrum in one direction, per rad: see `tabulated_directions` in
+// src/waves/table.rs.
+fn spectrum_tabulated_density(band: u32, direction: u32, directions: u32) -> f32 {
+  let i = band * directions + direction;
+  return spectrum_table[sea.direction_table_start + 1u + i / 4u][i % 4u];
+}
+
+// Densities over frequency and direction: the sum of two bands with the variances row.xy and the indices row.zw, linear
+// between directions, as a mean over the angle 1 / |k| of the lattice cell by a four-point Gauss-Legendre rule.
+fn spectrum_tabulated_variance(row: vec4f, k: vec2f) -> f32 {
+  let head = spectrum_table[sea.direction_table_start];
+  let directions = u32(head.x);
+  let count = i32(directions);
+  // The angle as an eighth of the circle and a rest of at most pi/4, which keeps small rounding errors small.
+  let size = abs(k);
+  let rest = maths_atan2_upper(min(size.x, size.y), max(size.x, size.y));
+  let steep = size.y > size.x;
+  let left = k.x < 0.0;
+  let down = k.y < 0.0;
+  var eighths = select(0, 2, steep);
+  var turned = select(rest, -rest, steep);
+  eighths = select(eighths, 4 - eighths, left);
+  turned = select(turned, -turned, left);
+  eighths = select(eighths, 8 - eighths, down);
+  turned = select(turned, -turned, down);
+  // Whole steps of the table apart from the fraction.
+  let scaled = eighths * count;
+  let first = floor(head.y);
+  let fraction = f32(scaled % 8) * 0.125 + turned * (head.x * 0.15915494309) - (head.y - first);
+  let whole = scaled / 8 - i32(first) + 4 * count;
+  let width = head.x * 0.15915494309 / length(k);
+  let nodes = vec4f(-0.43056815580, -0.16999052179, 0.16999052179, 0.43056815580);
+  let weights = vec4f(0.17392742257, 0.32607257743, 0.32607257743, 0.17392742257);
+  let bands = vec2u(row.zw);
+  var sum = 0.0;
+  for (var i = 0u; i < 4u; i++) {
+    let x = fraction + nodes[i] * width;
+    let near = u32(whole + i32(floor(x))) % directions;
+    let next = (near + 1u) % directions;
+    let t = x - floor(x);
+    for (var b = 0u; b < 2u; b++) {
+      let a = spectrum_tabulated_density(bands[b], near, directions);
+      sum += weights[i] * row[b] * (a + t * (spectrum_tabulated_density(bands[b], next, directions) - a));
+    }
+  }
+  return sum;
+}
+
 // Variance of the real and of the imaginary part of h0, m^2, for a table entry and a wave vector's direction.
 fn spectrum_variance(entry: u32, k: vec2f) -> f32 {
   var sum = 0.0;
@@ -41,7 +89,9 @@ fn spectrum_variance(entry: u32, k: vec2f) -> f32 {
     let term = sea.terms[i];
     let first = entry * sea.vectors_per_entry + term.first_vector;
     let row = spectrum_table[first];
-    if term.kind == 3u {
+    if term.kind == 4u {
+      sum += spectrum_tabulated_variance(row, k);
+    } else if term.kind == 3u {
       sum += row.x * spectrum_buoy_distribution(row.yz, vec2f(row.w, spectrum_table[first + 1u].x), k);
     } else {
       sum += row.x * spectrum_spreading_lobe(term, row.y, row.z, k) + row.w;

@@ -53,6 +53,7 @@ impl SeaUniformSource {
                 DirectionalTermKind::Lobe(CosineFactor::Squared) => 1,
                 DirectionalTermKind::Lobe(CosineFactor::SquaredForward) => 2,
                 DirectionalTermKind::Measured => 3,
+                DirectionalTermKind::Tabulated => 4,
             };
             *out = SpectrumTerm {
                 reference_direction: part.travel.map(|x| x as f32),
@@ -92,7 +93,7 @@ impl SeaUniformSource {
             vectors_per_entry: self.vectors_per_entry,
             first_layer: maps.first().map_or(0, |map| map.layer),
             spectrum_blend: parameters.spectrum_blend as f32,
-            unused: 0,
+            direction_table_start: (plan.cascades.len() * table::entry_count(plan.n)) as u32 * self.vectors_per_entry,
         }
     }
 }

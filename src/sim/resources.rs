@@ -68,7 +68,8 @@ pub struct Resources {
 #[derive(Debug)]
 pub struct WaveBuffers {
     /// For each cascade and magnitude of the wave vectors in its lattice, the values from which the spectrum pass
-    /// computes the directional spectrum: variances (m^2) and spreading parameters, in vectors of four f32.
+    /// computes the directional spectrum: variances (m^2) and spreading parameters, in vectors of four f32. Behind them
+    /// lie the densities over frequency and direction of a measured spectrum, if the sea has one.
     pub spectrum_table: wgpu::Buffer,
     /// For each cascade and magnitude of the wave vectors in its lattice: the number of wave cycles in the sea's repeat
     /// period (u32), and the orbit axis ratio (horizontal to vertical) divided by the wave number (f32, m).
@@ -195,6 +196,7 @@ impl Resources {
             let slant = |w: &LatticeWave| if w.k > 0.0 { (w.orbit_width_over_height / w.k) as f32 } else { 0.0 };
             waves.extend(table.waves.iter().map(|w| [w.cycles_per_period, slant(w).to_bits()]));
         }
+        values.extend(table::tabulated_directions(plan).iter().map(|v| v.map(|x| x as f32)));
         self.wave_table_count += 1;
         let sea = &mut self.wave_buffers[self.current_wave_buffers_index];
         let needs_spectrum_table = size_of_val(values.as_slice()) as u64 > sea.spectrum_table.size();

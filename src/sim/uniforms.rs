@@ -68,7 +68,8 @@ gpu_struct! {
         /// counted. Measured distributions do not use it.
         pub reference_direction: [f32; 2],
         /// Form of the term: 0 spreading lobe, 1 lobe times cos^2 of the angle from `reference_direction`, 2 the same
-        /// but 0 beyond 90 degrees, 3 directional distribution measured by a wave buoy.
+        /// but 0 beyond 90 degrees, 3 directional distribution measured by a wave buoy, 4 densities over frequency and
+        /// direction.
         pub kind: u32,
         /// Index of this term's first vec4f within each entry (one per wave number) of `WaveBuffers::spectrum_table`.
         pub first_vector: u32,
@@ -106,8 +107,9 @@ gpu_struct! {
         pub first_layer: u32,
         /// Fraction of the way, 0 to 1, that the spectrum pass moves the stored amplitudes h0 towards the plan's.
         pub spectrum_blend: f32,
-        /// Unused; pads the struct to a multiple of 16 bytes.
-        pub unused: u32,
+        /// Index in `WaveBuffers::spectrum_table` of the first vec4f behind the entries of all cascades: densities over
+        /// frequency and direction of a measured spectrum, if the sea has one.
+        pub direction_table_start: u32,
     }
 }
 

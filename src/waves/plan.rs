@@ -261,7 +261,7 @@ fn system_notices(sea: &Sea, systems: &[WaveSystem]) -> Vec<String> {
             notices.push("tessendorf has its own cos^2 directional spreading: spread is ignored".into());
         }
         if waves.has_measured_directions() {
-            notices.push("the directions come from the buoy's data: dir and spread are ignored".into());
+            notices.push("the directions come from the measured spectrum: dir and spread are ignored".into());
         }
     }
     for (system, default) in sea.systems.iter().zip(&defaults) {

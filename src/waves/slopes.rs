@@ -91,6 +91,7 @@ fn mean_cos2_from_axis(system: &WaveSystem, omega: f64, axis: [f64; 2]) -> f64 {
         if total > 0.0 { sum / total } else { 0.5 }
     };
     match system.directional_distribution(omega) {
+        DirectionalDistribution::Tabulated(table) => mean(&|k| table.density(k[1].atan2(k[0]))),
         DirectionalDistribution::Measured(mem) => mean(&|k| mem.density(k[1].atan2(k[0]))),
         DirectionalDistribution::Lobes(lobes) => {
             let directed = lobes.lobes.iter().map(|(share, lobe)| {

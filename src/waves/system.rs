@@ -2,7 +2,7 @@
 
 use super::spectra::{self, FrequencySpectrum};
 use super::spreading::{CosineFactor, MAX_LOBES, Spreading, SpreadingAtFrequency};
-use crate::files::measured::MaximumEntropyDistribution;
+use crate::files::measured::{MaximumEntropyDistribution, TabulatedDistribution};
 use crate::state::params::{MAX_WAVE_SYSTEMS, Sea};
 use std::f64::consts::TAU;
 
@@ -17,22 +17,24 @@ pub struct WaveSystem {
     pub number: usize,
     /// Frequency spectrum, scaled to the wave height that the parameters ask for.
     pub spectrum: FrequencySpectrum,
-    /// Directional spreading; unused if a buoy has measured the directions.
+    /// Directional spreading; unused if the directions come from a measured spectrum.
     pub spreading: Spreading,
     /// Unit vector (x, z) of the main direction in which the waves travel.
     pub travel_direction: [f64; 2],
 }
 
 /// Directional distribution of the energy of a wave system at one frequency.
-pub enum DirectionalDistribution {
+pub enum DirectionalDistribution<'a> {
     /// Spreading model: lobes around the main direction of travel.
     Lobes(SpreadingAtFrequency),
     /// Measured directions: the maximum entropy distribution for a buoy's moments, with angles from +x towards +z.
     Measured(MaximumEntropyDistribution),
+    /// Densities over frequency and direction, used as they are, with angles from +x towards +z.
+    Tabulated(TabulatedDistribution<'a>),
 }
 
 /// Kind of a term of the directional spectrum, which is a sum of terms: one for each lobe of a directional spreading,
-/// or one for a buoy's distribution. For each wave number a term stores one or two vectors of four numbers, which the
+/// or one for a measured distribution. For each wave number a term stores one or two vectors of four numbers, which the
 /// spectrum shader evaluates in the direction of each wave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DirectionalTermKind {
@@ -43,6 +45,10 @@ pub enum DirectionalTermKind {
     /// A buoy's distribution [`MaximumEntropyDistribution`] with the complex coefficients phi1 and phi2. It stores two
     /// vectors: (v x norm, Re phi1, Im phi1, Re phi2) and (Im phi2, 0, 0, 0), with the variance v as in `Lobe`.
     Measured,
+    /// A distribution from a [`DirectionalTable`](crate::files::measured::DirectionalTable), which is stored once for
+    /// the whole sea. The term stores one vector: (v x energy fraction of the lower band, v x that of the upper one,
+    /// index of the lower band, index of the upper band), with the variance v as in `Lobe`.
+    Tabulated,
 }
 
 impl WaveSystem {
@@ -56,39 +62,54 @@ impl WaveSystem {
         Self { number: index + 1, spectrum, spreading, travel_direction: travel_direction(system.from_deg) }
     }
 
-    /// Whether the wave directions come from a buoy's data instead of a spreading model.
+    /// Whether the wave directions come from a measured spectrum instead of a spreading model.
     pub fn has_measured_directions(&self) -> bool {
-        self.spectrum.measured.as_ref().is_some_and(|m| m.directions().is_some())
-    }
-
-    /// Maximum entropy distribution for the buoy's directional moments at the angular frequency `omega` (rad/s); `None`
-    /// without such data. Its moments differ from the measured ones where no distribution can have the measured ones.
-    fn measured_directional_distribution(&self, omega: f64) -> Option<MaximumEntropyDistribution> {
-        self.spectrum.measured.as_ref()?.directional_moments(omega).map(MaximumEntropyDistribution::new)
+        self.spectrum.measured.as_ref().is_some_and(|m| m.has_directions())
     }
 
     /// Distribution of the wave system's energy over directions at the angular frequency `omega` (rad/s): that of the
-    /// buoy's data if it has measured directions, otherwise that of the spreading model.
-    pub fn directional_distribution(&self, omega: f64) -> DirectionalDistribution {
-        self.measured_directional_distribution(omega).map_or_else(
+    /// measured spectrum if it has directions, otherwise that of the spreading model.
+    pub fn directional_distribution(&self, omega: f64) -> DirectionalDistribution<'_> {
+        let measured = self.spectrum.measured.as_ref();
+        if let Some(table) = measured.and_then(|m| m.tabulated_distribution(omega)) {
+            return DirectionalDistribution::Tabulated(table);
+        }
+        measured.and_then(|m| m.directional_moments(omega)).map_or_else(
             || DirectionalDistribution::Lobes(self.spreading.lobes(omega)),
-            DirectionalDistribution::Measured,
+            |moments| DirectionalDistribution::Measured(MaximumEntropyDistribution::new(moments)),
         )
     }
 
     /// Directional spreading D of this wave system, per rad, at angular frequency `omega` (rad/s) in the direction in
     /// which the wave vector `k` (x, z; any length) points. Its integral over all directions is 1.
     pub fn direction_density(&self, omega: f64, k: [f64; 2]) -> f64 {
-        match self.measured_directional_distribution(omega) {
-            Some(mem) => mem.density(k[1].atan2(k[0])),
-            None => self.spreading.density(omega, angle_from_travel(self.travel_direction, k)),
+        match self.directional_distribution(omega) {
+            DirectionalDistribution::Tabulated(table) => table.density(k[1].atan2(k[0])),
+            DirectionalDistribution::Measured(mem) => mem.density(k[1].atan2(k[0])),
+            DirectionalDistribution::Lobes(_) => {
+                self.spreading.density(omega, angle_from_travel(self.travel_direction, k))
+            }
         }
     }
 
-    /// Energy at the angular frequency `omega` (rad/s) in each of `directions` (unit vectors (x, z) of travel), relative
-    /// to one another.
+    /// Directional spreading D, per rad, as the waves of a lattice have it. `k` is a wave vector (x, z) in units of the
+    /// lattice spacing. Tabulated densities may be narrower than the lattice resolves: they are averaged over the angle
+    /// 1 / |k| that the lattice cell of the wave vector covers. Other distributions are taken at the wave vector.
+    pub fn direction_density_in_cell(&self, omega: f64, k: [f64; 2]) -> f64 {
+        match self.directional_distribution(omega) {
+            DirectionalDistribution::Tabulated(table) => table.mean_density(k[1].atan2(k[0]), 1.0 / k[0].hypot(k[1])),
+            _ => self.direction_density(omega, k),
+        }
+    }
+
+    /// Energy at the angular frequency `omega` (rad/s) in each of `directions` (unit vectors (x, z) of travel, spread
+    /// evenly over the circle), relative to one another.
     pub fn relative_direction_densities(&self, omega: f64, directions: &[[f64; 2]]) -> Vec<f64> {
         match self.directional_distribution(omega) {
+            DirectionalDistribution::Tabulated(table) => {
+                let width_rad = TAU / directions.len() as f64;
+                directions.iter().map(|[x, z]| table.mean_density(z.atan2(*x), width_rad)).collect()
+            }
             DirectionalDistribution::Measured(mem) => {
                 directions.iter().map(|[x, z]| mem.density(z.atan2(*x))).collect()
             }
@@ -110,20 +131,22 @@ impl WaveSystem {
     /// First directional moment of this wave system at the angular frequency `omega` (rad/s): the mean unit vector of
     /// travel (x, z), weighted by the directional spreading.
     pub fn first_moment(&self, omega: f64) -> [f64; 2] {
-        match self.measured_directional_distribution(omega) {
-            Some(mem) => mem.first_moment(),
-            None => {
+        match self.directional_distribution(omega) {
+            DirectionalDistribution::Tabulated(table) => table.first_moment(),
+            DirectionalDistribution::Measured(mem) => mem.first_moment(),
+            DirectionalDistribution::Lobes(_) => {
                 let r1 = self.spreading.first_moment(omega);
                 self.travel_direction.map(|t| t * r1)
             }
         }
     }
 
-    /// Kinds of the terms (lobes, or one measured distribution) whose sum is the directional spectrum of this wave
-    /// system. They are the same at every frequency.
+    /// Kinds of the terms (lobes, or one measured or tabulated distribution) whose sum is the directional spectrum of this
+    /// wave system. They are the same at every frequency.
     pub fn terms(&self) -> Vec<DirectionalTermKind> {
         if self.has_measured_directions() {
-            return vec![DirectionalTermKind::Measured];
+            let is_table = self.spectrum.measured.as_ref().is_some_and(|m| m.directional_table().is_some());
+            return vec![if is_table { DirectionalTermKind::Tabulated } else { DirectionalTermKind::Measured }];
         }
         let lobes = self.spreading.lobes(self.spectrum.omega_p).lobes;
         if lobes.is_empty() {

@@ -8,11 +8,12 @@ use super::lattice::LatticeWave;
 use super::plan::{Cascade, Plan};
 use super::spreading::Lobe;
 use super::system::{DirectionalDistribution, DirectionalTermKind, WaveSystem, angle_from_travel};
-use crate::files::measured::MaximumEntropyDistribution;
+use crate::files::measured::{MaximumEntropyDistribution, MeasuredSpectrum};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
-/// One part of the directional spectrum of a sea: one lobe of a wave system's directional spreading, or the
-/// distribution that a buoy measured. The variance of a wave is the sum over all these parts.
+/// One part of the directional spectrum of a sea: one lobe of a wave system's directional spreading, or a measured
+/// distribution. The variance of a wave is the sum over all these parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectionalTerm {
     /// Kind of the term, which defines the meaning of its values in a spectrum [`SpectrumTable`].
@@ -37,6 +38,19 @@ pub fn directional_terms(plan: &Plan) -> (Vec<DirectionalTerm>, usize) {
     (terms, first_vector.max(1))
 }
 
+/// Densities over frequency and direction of the sea's measured spectrum, in the form that the spectrum shader reads
+/// behind the entries of all cascades: a vector (number of directions n, first direction of travel in steps of 2 pi / n,
+/// 0, 0), then the density D (1/rad) of each band in each direction, four to a vector. Empty without such a spectrum.
+pub fn tabulated_directions(plan: &Plan) -> Vec<[f64; 4]> {
+    let tables = plan.systems.iter().filter_map(|s| s.spectrum.measured.as_ref()?.directional_table());
+    let Some(table) = tables.into_iter().next() else { return Vec::new() };
+    let count = table.direction_count() as f64;
+    let first_steps = (table.first_travel_rad() / table.step_rad()).rem_euclid(count);
+    let densities: Vec<f64> = (0..table.band_count()).flat_map(|band| table.distribution_of_band(band)).collect();
+    let vectors = densities.chunks(4).map(|four| std::array::from_fn(|i| four.get(i).copied().unwrap_or(0.0)));
+    std::iter::once([count, first_steps, 0.0, 0.0]).chain(vectors).collect()
+}
+
 /// Precomputed spectrum of one cascade for the spectrum shader. One entry serves all wave vectors of its lattice that
 /// differ only in signs and order of (ix, iz), which have the same wave number |k|.
 #[derive(Clone, Debug)]
@@ -52,6 +66,8 @@ pub struct SpectrumTable {
     /// The variances in them are those of the real and of the imaginary part of the initial amplitude h0 (m^2): a
     /// quarter of the elevation variance in a lattice cell, before the directional factor.
     pub term_vectors: Vec<[f64; 4]>,
+    /// Measured spectrum whose table of directions the terms of the kind `Tabulated` need.
+    measured: Option<Arc<MeasuredSpectrum>>,
 }
 
 /// Number of entries of a table for a lattice of n x n wave vectors.
@@ -89,6 +105,7 @@ impl SpectrumTable {
             vectors_per_entry,
             waves: Vec::with_capacity(entries),
             term_vectors: Vec::with_capacity(entries * vectors_per_entry),
+            measured: plan.systems.iter().find_map(|s| s.spectrum.measured.clone()),
         };
         for a in 0..=half {
             for b in 0..=a {
@@ -133,6 +150,11 @@ impl SpectrumTable {
                     MaximumEntropyDistribution { normalisation: variance, phi1: [p, q].into(), phi2: phi2.into() }
                         .density(k[1].atan2(k[0]))
                 }
+                DirectionalTermKind::Tabulated => {
+                    let table = self.measured.as_ref().and_then(|m| m.directional_table());
+                    let bands = [(q as usize, variance), (r as usize, p)];
+                    table.map_or(0.0, |t| t.between(bands).mean_density(k[1].atan2(k[0]), 1.0 / k[0].hypot(k[1])))
+                }
             }
         };
         self.terms.iter().map(term).sum()
@@ -144,6 +166,10 @@ impl SpectrumTable {
 /// at time 0, before multiplication by the directional spreading (1/rad).
 fn push_system_values(out: &mut Vec<[f64; 4]>, system: &WaveSystem, norms: &LobeNorms, variance: f64, omega: f64) {
     match system.directional_distribution(omega) {
+        DirectionalDistribution::Tabulated(table) => {
+            let [(low, low_fraction), (high, high_fraction)] = table.bands;
+            out.push([variance * low_fraction, variance * high_fraction, low as f64, high as f64]);
+        }
         DirectionalDistribution::Measured(mem) => {
             out.push([variance * mem.normalisation, mem.phi1[0], mem.phi1[1], mem.phi2[0]]);
             out.push([mem.phi2[1], 0.0, 0.0, 0.0]);
@@ -234,7 +260,9 @@ impl LobeNorms {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files::measured::DirectionalTable;
     use crate::state::query;
+    use crate::waves::statistics::{SpectralMoments, bearing_waves_come_from_deg, lattice_indices};
 
     #[test]
     fn the_table_is_the_model() {
@@ -243,6 +271,7 @@ mod tests {
             "scale2=1&blend=0.4&blendto=elfouhaily&iso=0.2&swell=0.3",
             "spread=cos2-positive&swell=1&spectrum=karaev",
             "spectrum=measured&measured=0.05*0.5*250*251*0.8*0.5_0.1*3*240*241*0.7*0.4_0.2*1*200*230*0.5*0.2",
+            "spectrum=measured&measured=d*4*20_.05*1*--AAggAA_.1*3*ABAD--CC_.2*1*AAAA--QQ",
         ] {
             let plan = Plan::new(&query::parse(&format!("{state}&n=64")).0);
             for cascade in &plan.cascades {
@@ -255,13 +284,41 @@ mod tests {
                     let k = [f64::from(ix), f64::from(iz)];
                     let system = |s: &WaveSystem| {
                         0.25 * plan.lattice_cell_variance_m2_per_rad(s, cascade, &wave)
-                            * s.direction_density(wave.omega, k)
+                            * s.direction_density_in_cell(wave.omega, k)
                     };
                     let want: f64 = plan.systems.iter().map(system).sum();
                     let got = table.variance(ix, iz);
                     assert!((got - want).abs() <= 1e-6 * want, "{state} {ix} {iz}: {got} {want}");
                 }
             }
+        }
+    }
+
+    /// Tabulated directions may be far narrower than the cells of the lattice.
+    #[test]
+    fn a_single_direction_keeps_its_energy() {
+        for (direction, from_deg) in [(8, 40.0), (9, 45.0), (29, 145.0), (54, 270.0)] {
+            let densities: Vec<f64> = (0..4 * 72).map(|i| f64::from(u8::from(i % 72 == direction))).collect();
+            let directions = DirectionalTable::new(0.0, 72, &densities).expect("a table");
+            let bands = [(0.06, 0.0), (0.08, 20.0), (0.1, 1.0), (0.12, 0.0)];
+            let mut params = query::parse("n=256").0;
+            params.sea.set_measured_spectrum(MeasuredSpectrum::with_table(&bands, directions).expect("a spectrum"));
+            let plan = Plan::new(&params);
+            let (mut moments, m0) = (SpectralMoments::default(), plan.spectrum_integrals.m0());
+            for cascade in &plan.cascades {
+                let table = SpectrumTable::new(&plan, cascade);
+                for (ix, iz) in lattice_indices(plan.n) {
+                    let wave = table.waves[entry_index(ix, iz)];
+                    if wave.k > 0.0 {
+                        let unit = [f64::from(ix), f64::from(iz)].map(|i| i * cascade.dk() / wave.k);
+                        moments.add(4.0 * table.variance(ix, iz), wave.k, wave.omega, unit);
+                    }
+                }
+            }
+            let held = moments.moments[0] / m0;
+            let mean_deg = bearing_waves_come_from_deg(moments.first_moment);
+            assert!((held - plan.resolved_variance_fraction()).abs() < 0.05, "{from_deg}: {held}");
+            assert!((mean_deg - from_deg).abs() < 1.0, "{from_deg}: {mean_deg}");
         }
     }
 

@@ -1,10 +1,12 @@
-//! Measured wave spectra: reads the spectral files of a wave buoy as a frequency spectrum with directions.
+//! Measured wave spectra: reads the spectral files of a wave buoy or a wave model as a frequency spectrum with
+//! directions.
 //!
 //! [`MeasuredSpectrum::read`] reads files, [`MeasuredSpectrum::to_state`] and [`MeasuredSpectrum::from_state`] carry a
-//! spectrum in a link, and [`MaximumEntropyDistribution`] turns its directional moments into a directional
-//! distribution.
+//! spectrum in a link. [`MaximumEntropyDistribution`] turns directional moments into a directional distribution; a
+//! [`DirectionalTable`] holds the energy over directions as data.
 
 mod direction;
+mod directional;
 mod formats;
 mod mem;
 mod spectrum;
@@ -14,6 +16,7 @@ mod tests;
 mod text;
 
 pub use direction::DirectionalParameters;
+pub use directional::{DirectionalTable, MAX_DIRECTIONS, MIN_DIRECTIONS, TabulatedDistribution};
 pub use formats::MAX_FILES_PER_SPECTRUM;
 pub use mem::MaximumEntropyDistribution;
 pub use spectrum::{MAX_BANDS, MIN_BANDS, MeasuredSpectrum, SpectrumFile};

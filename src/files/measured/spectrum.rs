@@ -1,6 +1,7 @@
 //! A measured wave spectrum: its variance density, wave height, peak frequency and directional moments.
 
 use super::direction::DirectionalParameters;
+use super::directional::{DirectionalTable, TabulatedDistribution};
 use super::text::display_number;
 use std::f64::consts::TAU;
 
@@ -21,6 +22,7 @@ const MIN_NONZERO_MAGNITUDE: f64 = 1e-9;
 pub struct MeasuredSpectrum {
     bands: Vec<(f64, f64)>,
     directions: Option<Vec<DirectionalParameters>>,
+    table: Option<DirectionalTable>,
 }
 
 /// A measured spectrum that was read from files, with its title and messages to the user.
@@ -56,7 +58,20 @@ impl MeasuredSpectrum {
         if kept.iter().all(|b| b.1 == 0.0) {
             return Err("the variance density is zero in every band: there are no waves".into());
         }
-        Ok(Self { bands: kept, directions })
+        Ok(Self { bands: kept, directions, table: None })
+    }
+
+    /// Makes a spectrum from bands as [`Self::new`] does, and from a table with the shares of the directions in each
+    /// band: the density over frequency and direction is the product of both.
+    ///
+    /// # Errors
+    /// One sentence, if [`Self::new`] refuses the bands, or if the table has another number of bands.
+    pub fn with_table(bands: &[(f64, f64)], table: DirectionalTable) -> Result<Self, String> {
+        let spectrum = Self::new(bands, None)?;
+        if table.band_count() != bands.len() {
+            return Err(format!("directions of {} bands for {} frequency bands", table.band_count(), bands.len()));
+        }
+        Ok(Self { table: Some(table), ..spectrum })
     }
 
     /// Frequency (Hz, ascending) and one-sided variance density S(f) (m^2/Hz) of each band.
@@ -67,6 +82,16 @@ impl MeasuredSpectrum {
     /// Directional parameters of each band in the order of the bands; `None` if the spectrum has no directions.
     pub fn directions(&self) -> Option<&[DirectionalParameters]> {
         self.directions.as_deref()
+    }
+
+    /// Shares of the directions in each band; `None` unless the file held densities over frequency and direction.
+    pub fn directional_table(&self) -> Option<&DirectionalTable> {
+        self.table.as_ref()
+    }
+
+    /// Whether the spectrum has directions, as parameters of each band or as densities.
+    pub fn has_directions(&self) -> bool {
+        self.directions.is_some() || self.table.is_some()
     }
 
     /// Variance density S(omega) = S(f) / (2 pi), m^2 s, at omega in rad/s. It is linear in f between bands. Below the
@@ -136,6 +161,17 @@ impl MeasuredSpectrum {
         let (i, t) = self.band_and_fraction(omega / TAU);
         let (a, b) = (directions[i].directional_moments(), directions[i + 1].directional_moments());
         Some(std::array::from_fn(|n| a[n] + t * (b[n] - a[n])))
+    }
+
+    /// Distribution over directions at omega in rad/s from the table of densities, so that S(omega) D is linear in
+    /// frequency between bands. Below and above the bands it is that of the nearest one. None without such a table.
+    pub fn tabulated_distribution(&self, omega: f64) -> Option<TabulatedDistribution<'_>> {
+        let table = self.table.as_ref()?;
+        let (i, t) = self.band_and_fraction(omega / TAU);
+        let energy = [(1.0 - t) * self.bands[i].1, t * self.bands[i + 1].1];
+        let sum = energy[0] + energy[1];
+        let upper = if sum > 0.0 { energy[1] / sum } else { t };
+        Some(table.between([(i, 1.0 - upper), (i + 1, upper)]))
     }
 
     /// Frequency below the first band at which the variance density reaches 0, Hz: lower than the first band by the

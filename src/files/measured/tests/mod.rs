@@ -1,5 +1,6 @@
 //! Tests of measured spectra: files that are read or refused, links, and the physics.
 
+mod directional;
 mod files;
 mod links;
 mod physics;
