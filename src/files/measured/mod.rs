@@ -8,6 +8,7 @@
 mod direction;
 mod directional;
 mod formats;
+mod list;
 mod mem;
 mod spectrum;
 mod state;
@@ -18,6 +19,7 @@ mod text;
 pub use direction::DirectionalParameters;
 pub use directional::{DirectionalTable, MAX_DIRECTIONS, MIN_DIRECTIONS, TabulatedDistribution};
 pub use formats::MAX_FILES_PER_SPECTRUM;
+pub use list::{SpectrumList, SpectrumRecord};
 pub use mem::MaximumEntropyDistribution;
 pub use spectrum::{MAX_BANDS, MIN_BANDS, MeasuredSpectrum, SpectrumFile};
 pub use state::MAX_TEXT_BYTES;

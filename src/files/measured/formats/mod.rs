@@ -4,44 +4,79 @@
 //! A new format needs a module with a function that recognises it and `read`, and a variant of [`Format`]. A binary
 //! format must be recognised by its first bytes before the files are decoded as text.
 
+mod direction_table;
+mod grid;
+mod lines;
 mod ndbc;
+mod swan;
 mod table;
+mod ww3_text;
 
+use super::list::{SpectrumList, SpectrumRecord};
 use super::spectrum::{MeasuredSpectrum, SpectrumFile};
-use super::text::TextFile;
+use super::text::{TextFile, printable_prefix};
 
 /// Largest number of files that are read together as one measured spectrum.
 pub const MAX_FILES_PER_SPECTRUM: usize = 8;
 
-/// Format of a file with a measured spectrum: NDBC text file of a buoy, or plain table.
+/// Format of a text file with measured spectra.
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
+    /// NDBC text file of a buoy; several files can make one spectrum.
     Ndbc,
+    /// Spectral file of the wave model SWAN.
+    Swan,
+    /// Point spectra of the wave model WAVEWATCH III as text.
+    Ww3Text,
+    /// Table with a column for each direction.
+    DirectionTable,
+    /// Table of frequency and density, with or without direction and spread.
     Table,
 }
 
 impl Format {
-    /// Recognises the format of a file by its content. Text without an NDBC header line counts as a table.
+    /// Recognises the format of a file by its content. Text without the header line of another format counts as a table.
     fn detect(file: &TextFile<'_>) -> Self {
-        if ndbc::is_ndbc_file(file) { Self::Ndbc } else { Self::Table }
+        if swan::is_swan_file(file) {
+            Self::Swan
+        } else if ww3_text::is_ww3_file(file) {
+            Self::Ww3Text
+        } else if ndbc::is_ndbc_file(file) {
+            Self::Ndbc
+        } else if direction_table::is_direction_table(file) {
+            Self::DirectionTable
+        } else {
+            Self::Table
+        }
     }
 }
 
 impl MeasuredSpectrum {
-    /// Reads one spectrum from one or several files, given as (name, content). These formats are read:
+    /// Reads one spectrum from one or several files: of [`Self::read_list`] the one with the most energy.
+    ///
+    /// # Errors
+    /// As [`Self::read_list`].
+    pub fn read(files: &[(String, Vec<u8>)]) -> Result<SpectrumFile, String> {
+        Self::read_list(files)?.choose(None)
+    }
+
+    /// Reads all spectra from one or several files, given as (name, content). These formats are read:
     ///
     /// - NDBC realtime files: `.data_spec`, `.swdir`, `.swdir2`, `.swr1`, `.swr2`;
     /// - NDBC archive files such as `44025w2023.txt` (w density, d alpha1, i alpha2, j r1, k r2), with old headers too;
     /// - several of these in one file, each from its header line on. Where neither header nor file name says what a
     ///   section holds, a comment before the header must, such as `# alpha1` or `# kind: r1`;
     /// - a table of f, S (Hz, m^2/Hz) or f, S, direction, spread (degrees from, degrees), separated by comma, semicolon
-    ///   or tab, with or without a first line of names. With semicolons and tabs a decimal comma is read too.
+    ///   or tab, with or without a first line of names. With semicolons and tabs a decimal comma is read too;
+    /// - a table with a column for each direction: a first line with a word and the directions (degrees from), then
+    ///   lines of f and densities (m^2/Hz/degree);
+    /// - spectral files of SWAN, with and without directions, and point spectra of WAVEWATCH III as text.
     ///
-    /// The newest record with a complete variance density is used, with the directions of the same time.
+    /// Of NDBC files the newest record with a complete variance density is used, with the directions of the same time.
     ///
     /// # Errors
     /// One sentence with file, line and reason for the first malformed entry of any record.
-    pub fn read(files: &[(String, Vec<u8>)]) -> Result<SpectrumFile, String> {
+    pub fn read_list(files: &[(String, Vec<u8>)]) -> Result<SpectrumList, String> {
         if files.len() > MAX_FILES_PER_SPECTRUM {
             return Err(format!(
                 "{} files were given: give at most {MAX_FILES_PER_SPECTRUM} for one spectrum",
@@ -54,9 +89,23 @@ impl MeasuredSpectrum {
         if let Some(other) = files.iter().find(|file| Format::detect(file) != format) {
             return Err(other.file_error(format!("its format differs from that of {}: read it alone", first.name)));
         }
+        if format != Format::Ndbc && files.len() > 1 {
+            return Err(first.file_error("it holds complete spectra: read it without other files"));
+        }
         match format {
-            Format::Ndbc => ndbc::read(&files),
-            Format::Table => table::read(&files),
+            Format::Ndbc => Ok(list_of_one(ndbc::read(&files)?)),
+            Format::Swan => swan::read(first),
+            Format::Ww3Text => ww3_text::read(first),
+            Format::DirectionTable => direction_table::read(first),
+            Format::Table => Ok(list_of_one(table::read(first)?)),
         }
     }
+}
+
+/// Makes the list of a file that holds one spectrum. Its title becomes the label.
+fn list_of_one(file: SpectrumFile) -> SpectrumList {
+    let SpectrumFile { spectrum, title, notices } = file;
+    let (name, label) = title.split_once(", ").map_or((title.as_str(), ""), |(name, label)| (name, label));
+    let records = vec![SpectrumRecord { label: printable_prefix(label, 60), spectrum }];
+    SpectrumList { name: name.to_owned(), records, default_index: 0, notices }
 }

@@ -22,12 +22,8 @@ struct Rows {
     directions: Vec<Option<DirectionalParameters>>,
 }
 
-/// Reads a spectrum from one file that holds a table; more files are an error.
-pub(super) fn read(files: &[TextFile<'_>]) -> Result<SpectrumFile, String> {
-    let file = &files[0];
-    if files.len() > 1 {
-        return Err(file.file_error("a table is a complete spectrum: read it without other files"));
-    }
+/// Reads a spectrum from a file that holds a table.
+pub(super) fn read(file: &TextFile<'_>) -> Result<SpectrumFile, String> {
     let mut rows = Rows::default();
     for (i, line) in file.text.lines().enumerate() {
         rows.add_line(line).map_err(|what| file.line_error(i + 1, what))?;

@@ -3,6 +3,7 @@
 mod directional;
 mod files;
 mod links;
+mod models;
 mod physics;
 mod refusals;
 mod samples;

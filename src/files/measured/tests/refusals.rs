@@ -120,7 +120,7 @@ fn what_is_no_text_or_too_much_is_refused() {
     assert_eq!(MeasuredSpectrum::read(&[]), Err("no file was given".into()));
     let nine = vec![("b.csv".to_string(), b"0.1,1".to_vec()); 9];
     assert_eq!(MeasuredSpectrum::read(&nine), Err("9 files were given: give at most 8 for one spectrum".into()));
-    let want = "b.csv: a table is a complete spectrum: read it without other files";
+    let want = "b.csv: it holds complete spectra: read it without other files";
     assert_eq!(MeasuredSpectrum::read(&nine[..2]), Err(want.into()));
     let mixed = [nine[0].clone(), ("b.data_spec".into(), SPEC.into())];
     let want = "b.data_spec: its format differs from that of b.csv: read it alone";
