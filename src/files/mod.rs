@@ -1,9 +1,11 @@
-//! Readers of files that users bring: measured spectra, sky images and pictures. Every size limit is checked before
+//! Readers of files that users bring: measured spectra, sky images and pictures; and writers of spectra. Every size limit is checked before
 //! memory is allocated.
 
 #[cfg(feature = "files")]
 pub mod input;
 pub mod measured;
+#[cfg(feature = "files")]
+pub mod netcdf;
 pub mod panorama;
 #[cfg(feature = "files")]
 pub mod picture;

@@ -7,6 +7,7 @@ pub mod beaufort;
 pub mod cascades;
 pub mod change;
 pub mod colour_scale;
+mod directional_spectrum;
 pub mod dispersion;
 pub mod energy;
 pub mod fft;

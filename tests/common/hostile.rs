@@ -17,7 +17,17 @@ const NEXT_FILE: u8 = 0x1c;
 type Check = (&'static str, fn(&[u8]));
 
 /// All checks.
-pub const CHECKS: [Check; 5] = [("state", state), ("sky", sky), ("buoy", buoy), ("seas", seas), ("picture", picture)];
+pub const CHECKS: [Check; 9] = [
+    ("state", state),
+    ("sky", sky),
+    ("buoy", buoy),
+    ("seas", seas),
+    ("picture", picture),
+    ("swan", spectra),
+    ("wavewatch", spectra),
+    ("spotter", spectra),
+    ("netcdf", spectra),
+];
 
 /// Reads a state string. Reading never fails, and the result is written in a form that is read back as the same state.
 pub fn state(bytes: &[u8]) {
@@ -48,18 +58,36 @@ pub fn buoy(bytes: &[u8]) {
     let files: Vec<_> = bytes.split(|b| *b == NEXT_FILE).map(named).collect();
     let read = MeasuredSpectrum::read(&files).map(|file| file.spectrum);
     let carried = MeasuredSpectrum::from_state(&String::from_utf8_lossy(bytes));
-    for sea in read.into_iter().chain(carried) {
-        let text = sea.to_state();
-        assert!(text.len() <= MAX_TEXT_BYTES, "{} bytes", text.len());
-        assert_eq!(MeasuredSpectrum::from_state(&text).as_ref(), Ok(&sea));
-        assert!(sea.hs_m().is_finite() && sea.omega_p() > 0.0 && sea.lowest_omega() > 0.0);
-        let mut params = Params::default();
-        params.sea.set_measured_spectrum(sea);
-        is_canonical(&params);
-        let plan = Plan::new(&params);
-        assert!((1..=4).contains(&plan.cascades.len()));
-        assert!(plan.hs_m().is_finite() && plan.resolved_variance_fraction().is_finite() && plan.k_max().is_finite());
+    read.into_iter().chain(carried).for_each(is_a_sea);
+}
+
+/// Reads a file of a wave model or a Spotter buoy, which may hold several spectra.
+pub fn spectra(bytes: &[u8]) {
+    match MeasuredSpectrum::read_list(&[("a".to_owned(), bytes.to_vec())]) {
+        Ok(list) => {
+            assert!(list.default_index < list.records.len() && list.notices.len() < 3);
+            let last = list.records.len() - 1;
+            for index in [0, list.default_index, last] {
+                assert!(list.title(index).chars().count() <= 80);
+                is_a_sea(list.records[index].spectrum.clone());
+            }
+        }
+        Err(reason) => assert!(reason.starts_with('a') && reason.lines().count() == 1, "{reason}"),
     }
+}
+
+/// Checks that a spectrum survives a link, and that a sea can be planned from it.
+fn is_a_sea(sea: MeasuredSpectrum) {
+    let text = sea.to_state();
+    assert!(text.len() <= MAX_TEXT_BYTES, "{} bytes", text.len());
+    assert_eq!(MeasuredSpectrum::from_state(&text).as_ref(), Ok(&sea));
+    assert!(sea.hs_m().is_finite() && sea.omega_p() > 0.0 && sea.lowest_omega() > 0.0);
+    let mut params = Params::default();
+    params.sea.set_measured_spectrum(sea);
+    is_canonical(&params);
+    let plan = Plan::new(&params);
+    assert!((1..=4).contains(&plan.cascades.len()));
+    assert!(plan.hs_m().is_finite() && plan.resolved_variance_fraction().is_finite() && plan.k_max().is_finite());
 }
 
 /// Reads a file of named seas.

@@ -15,6 +15,7 @@ mod state;
 #[cfg(test)]
 mod tests;
 mod text;
+mod write;
 
 pub use direction::DirectionalParameters;
 pub use directional::{DirectionalTable, MAX_DIRECTIONS, MIN_DIRECTIONS, TabulatedDistribution};
@@ -24,3 +25,4 @@ pub use mem::MaximumEntropyDistribution;
 pub use spectrum::{MAX_BANDS, MIN_BANDS, MeasuredSpectrum, SpectrumFile};
 pub use state::MAX_TEXT_BYTES;
 pub use text::MAX_FILE_BYTES;
+pub use write::DirectionalSpectrum;

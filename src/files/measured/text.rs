@@ -16,11 +16,9 @@ pub(super) struct TextFile<'a> {
 impl<'a> TextFile<'a> {
     /// Decodes a file of UTF-8 text. Other bytes, only white space, and more than [`MAX_FILE_BYTES`] are errors.
     pub fn decode(name: &str, bytes: &'a [u8]) -> Result<Self, String> {
-        // A browser gives the bare name, a command line the path.
-        let name = printable_prefix(name.rsplit(['/', '\\']).next().unwrap_or_default(), 60);
-        let name = if name.is_empty() { "(no name)".into() } else { name };
+        let name = short_name(name);
         let reason = if bytes.len() > MAX_FILE_BYTES {
-            format!("the file is larger than {} MiB: keep fewer records in it", MAX_FILE_BYTES >> 20)
+            too_large()
         } else if bytes.starts_with(&[0x1f, 0x8b]) || bytes.starts_with(b"PK\x03\x04") {
             "the file is compressed: unpack it first".into()
         } else if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
@@ -50,6 +48,18 @@ impl<'a> TextFile<'a> {
     pub fn file_error(&self, what: impl Display) -> String {
         format!("{}: {what}", self.name)
     }
+}
+
+/// Why a file above the limit is refused.
+pub(super) fn too_large() -> String {
+    format!("the file is larger than {} MiB: keep fewer records in it", MAX_FILE_BYTES >> 20)
+}
+
+/// Name of a file without folders, cut to 60 printable characters for messages. A browser gives the bare name, a command
+/// line the path.
+pub(super) fn short_name(name: &str) -> String {
+    let name = printable_prefix(name.rsplit(['/', '\\']).next().unwrap_or_default(), 60);
+    if name.is_empty() { "(no name)".into() } else { name }
 }
 
 /// Returns a line without byte order mark and surrounding white space.

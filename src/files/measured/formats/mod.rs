@@ -8,12 +8,18 @@ mod direction_table;
 mod grid;
 mod lines;
 mod ndbc;
+#[cfg(feature = "files")]
+mod netcdf;
+#[cfg(feature = "files")]
+mod spotter;
 mod swan;
 mod table;
 mod ww3_text;
 
 use super::list::{SpectrumList, SpectrumRecord};
 use super::spectrum::{MeasuredSpectrum, SpectrumFile};
+#[cfg(feature = "files")]
+use super::text::{MAX_FILE_BYTES, short_name, too_large};
 use super::text::{TextFile, printable_prefix};
 
 /// Largest number of files that are read together as one measured spectrum.
@@ -70,7 +76,8 @@ impl MeasuredSpectrum {
     ///   or tab, with or without a first line of names. With semicolons and tabs a decimal comma is read too;
     /// - a table with a column for each direction: a first line with a word and the directions (degrees from), then
     ///   lines of f and densities (m^2/Hz/degree);
-    /// - spectral files of SWAN, with and without directions, and point spectra of WAVEWATCH III as text.
+    /// - spectral files of SWAN, with and without directions, and point spectra of WAVEWATCH III as text;
+    /// - with the feature `files`: spectra over frequency and direction in NetCDF files, and JSON of Spotter buoys.
     ///
     /// Of NDBC files the newest record with a complete variance density is used, with the directions of the same time.
     ///
@@ -82,6 +89,10 @@ impl MeasuredSpectrum {
                 "{} files were given: give at most {MAX_FILES_PER_SPECTRUM} for one spectrum",
                 files.len()
             ));
+        }
+        #[cfg(feature = "files")]
+        if let Some(list) = read_other_than_text(files)? {
+            return Ok(list);
         }
         let files = files.iter().map(|(name, bytes)| TextFile::decode(name, bytes)).collect::<Result<Vec<_>, _>>()?;
         let first = files.first().ok_or("no file was given")?;
@@ -100,6 +111,23 @@ impl MeasuredSpectrum {
             Format::Table => Ok(list_of_one(table::read(first)?)),
         }
     }
+}
+
+/// Reads files that are not lines of text; `None` if the files are.
+#[cfg(feature = "files")]
+fn read_other_than_text(files: &[(String, Vec<u8>)]) -> Result<Option<SpectrumList>, String> {
+    let is_netcdf = |bytes: &[u8]| crate::files::netcdf::is_netcdf(bytes);
+    let Some((name, bytes)) = files.iter().find(|(_, bytes)| is_netcdf(bytes) || spotter::is_json(bytes)) else {
+        return Ok(None);
+    };
+    let name = short_name(name);
+    if files.len() > 1 {
+        return Err(format!("{name}: it holds complete spectra: read it without other files"));
+    }
+    if bytes.len() > MAX_FILE_BYTES {
+        return Err(format!("{name}: {}", too_large()));
+    }
+    if is_netcdf(bytes) { netcdf::read(&name, bytes) } else { spotter::read(&name, bytes) }.map(Some)
 }
 
 /// Makes the list of a file that holds one spectrum. Its title becomes the label.
