@@ -53,7 +53,7 @@ fn every_sample_holds_the_same_sea_twice() {
             assert!((density / want - 1.0).abs() < 2e-3, "{name}: {density}");
             assert!((sea.bands()[2].0 - peak_hz).abs() < 1e-4, "{name}");
             let (bearing, r1) = bearing_and_r1(sea, peak_hz);
-            let want = if numbered { 247.5 } else { 240.0 };
+            let want = if numbered { 67.5 } else { 240.0 };
             assert!((bearing - want).abs() < 0.2, "{name}: {bearing}");
             // cos^2s with s = 24: r1 = s / (s + 1), less what straight lines between 15 degrees smear.
             assert!((r1 - 24.0 / 25.0 * 0.9943).abs() < 2e-3, "{name}: {r1}");

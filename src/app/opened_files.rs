@@ -1,4 +1,4 @@
-//! Files dropped on the window or the page: a buoy's measured spectra, a sky image, a saved picture or a list of seas.
+//! Files dropped on the window or the page: spectra of a buoy or a wave model, a sky image, a saved picture or a list of seas.
 
 #[cfg(target_arch = "wasm32")]
 use super::tasks;
@@ -43,7 +43,7 @@ fn read_dropped_files(inbox: &Inbox<OpenedFiles>, handles: &[DroppedFileHandle],
             let size = handle.web_file().map_or(0.0, |f| f.size());
             if size > input::max_file_bytes(&name) as f64 {
                 let reason = format!(
-                    "{name}: too large for any file that Seastate reads: a buoy's spectrum (text) or a sky (.hdr, .exr)"
+                    "{name}: too large for any file that Seastate reads: a spectrum (16 MiB) or a sky (.hdr, .exr)"
                 );
                 return inbox.put(Err(reason), &ctx);
             }
@@ -73,8 +73,8 @@ impl App {
         }
     }
 
-    /// Opens a saved picture, a list of seas or a sky image, recognised by its contents; other files are read as the
-    /// measured spectra of one buoy.
+    /// Opens a saved picture, a list of seas or a sky image, recognised by its contents; other files are read as measured
+    /// spectra.
     fn open_files(&mut self, files: &[(String, Vec<u8>)]) -> Result<(), String> {
         if let [(name, bytes)] = files {
             if picture::is_png(bytes) {
@@ -93,12 +93,7 @@ impl App {
                 return Ok(());
             }
         }
-        let file = MeasuredSpectrum::read(files)?;
-        let (title, spectrum) = (file.title, file.spectrum);
-        let title = if title.is_empty() { "the buoy's sea" } else { &title };
-        self.notices = vec![format!("{title}: {} bands, Hs {:.2} m", spectrum.bands().len(), spectrum.hs_m())];
-        self.notices.extend(file.notices);
-        self.params.sea.set_measured_spectrum(spectrum);
+        self.use_spectra(MeasuredSpectrum::read_list(files)?);
         Ok(())
     }
 
@@ -138,7 +133,8 @@ pub fn show_drop_hint(ctx: &egui::Context) {
         screen.center(),
         egui::Align2::CENTER_CENTER,
         "Drop a sky (.hdr, .exr), a picture saved here, a file of seas,\n\
-         or a buoy's spectrum (NDBC text or CSV of f, S, direction, spread)",
+         or a spectrum: a buoy's (NDBC text, Spotter JSON, CSV of f, S, direction, spread)\n\
+         or a model's (SWAN .spc .sp2, WAVEWATCH III text or NetCDF, ERA5 NetCDF, CSV)",
         egui::FontId::proportional(20.0),
         egui::Color32::WHITE,
     );

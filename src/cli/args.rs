@@ -34,10 +34,15 @@ pub struct Cli {
 pub struct SeaArgs {
     /// State string of the sea
     state: Option<String>,
-    /// Measured spectrum to show: NDBC text (density, alpha1, alpha2, r1, r2 in one file or several) or CSV of f, S,
-    /// direction, spread; repeat the option for the files of one buoy
+    /// Measured spectrum to show: NDBC text (density, alpha1, alpha2, r1, r2 in one file or several), CSV of f, S,
+    /// direction, spread or of densities over f and direction, SWAN (.spc, .sp2), WAVEWATCH III (text or NetCDF), ERA5
+    /// (NetCDF) or Spotter (JSON); repeat the option for the files of one buoy
     #[arg(long = "spectrum", value_name = "FILE")]
     spectrum: Vec<PathBuf>,
+    /// Which spectrum of a file with several times or places, from 0; without it the one with the most energy. 'seastate
+    /// spectra' lists them
+    #[arg(long, value_name = "N", requires = "spectrum")]
+    spectrum_index: Option<usize>,
     /// Sky image to show: an equirectangular picture in linear light, Radiance .hdr or OpenEXR
     #[arg(long, value_name = "FILE")]
     sky: Option<PathBuf>,
@@ -49,7 +54,7 @@ impl SeaArgs {
         let (mut params, mut notices) = query::parse(self.state.as_deref().unwrap_or_default());
         if !self.spectrum.is_empty() {
             let files = crate::files::input::read_all(&self.spectrum)?;
-            let file = MeasuredSpectrum::read(&files)?;
+            let file = MeasuredSpectrum::read_list(&files)?.choose(self.spectrum_index)?;
             notices.extend(file.notices);
             params.sea.set_measured_spectrum(file.spectrum);
         }
@@ -109,17 +114,48 @@ pub enum Command {
         #[arg(long, default_value_t = flip::PIXELS_PER_DEGREE)]
         ppd: f64,
     },
-    /// Writes the wave maps of every cascade, the foam map, and their description as plan.json
+    /// Writes the wave maps of every cascade, the foam map, and their description as plan.json; or the spectrum
     Export {
         #[command(flatten)]
         sea: SeaArgs,
         /// Folder to write the files to; created if missing
-        #[arg(short, long)]
-        output: PathBuf,
+        #[arg(short, long, required_unless_present = "spectrum_to")]
+        output: Option<PathBuf>,
+        /// Writes the density of the sea over frequency and direction to a file, for other programs: .csv, .sp2 (SWAN)
+        /// or .nc (classic NetCDF with the names of WAVEWATCH III). Needs no GPU
+        #[arg(long, value_name = "FILE")]
+        spectrum_to: Option<PathBuf>,
         /// Also writes heights.f32 (m) and displacement.f16 (as the renderer reads it): texels without a header, one
         /// cascade after the other
         #[arg(long)]
         raw: bool,
+    },
+    /// Writes time series of elevation, velocity of the water and dynamic pressure at points. Needs no GPU
+    Record {
+        #[command(flatten)]
+        sea: SeaArgs,
+        /// Point to record: metres to the east, metres to the north, and the height from the still water (negative
+        /// below; without it the moving surface); repeat the option for several points
+        #[arg(long, required = true, value_name = "X,Y[,Z]", allow_hyphen_values = true, value_parser = parse_point)]
+        at: Vec<(f64, f64, Option<f64>)>,
+        /// Length of the record in hours
+        #[arg(long, default_value_t = 3.0)]
+        hours: f64,
+        /// Samples per second
+        #[arg(long, default_value_t = 4.0)]
+        rate: f64,
+        /// Number of waves that are summed: the strongest of the sea
+        #[arg(long, default_value_t = 5000, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+        waves: u32,
+        /// File to write: .csv, or .nc for classic NetCDF
+        #[arg(short, long)]
+        output: PathBuf,
+    },
+    /// Lists the spectra of a file with several times or places: number, height, peak period, time and place
+    Spectra {
+        /// The file, or the files of one buoy
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
     },
     /// Prints statistics of a sea: by theory, of the waves on the FFT grids (resolved), and measured on the GPU
     Stats {
@@ -194,6 +230,16 @@ pub enum Command {
         #[arg(long)]
         markdown: bool,
     },
+}
+
+fn parse_point(text: &str) -> Result<(f64, f64, Option<f64>), String> {
+    let numbers: Option<Vec<f64>> =
+        text.split(',').map(|n| n.trim().parse().ok().filter(|v: &f64| v.is_finite())).collect();
+    match numbers.as_deref() {
+        Some([x, y]) => Ok((*x, *y, None)),
+        Some([x, y, z]) => Ok((*x, *y, Some(*z))),
+        _ => Err("a point is X,Y or X,Y,Z in metres, such as 10,-20,-5".to_owned()),
+    }
 }
 
 fn parse_size(text: &str) -> Result<[u32; 2], String> {

@@ -4,10 +4,12 @@ mod args;
 mod bench;
 mod compare;
 mod info;
+mod spectra;
 
 use crate::bench::BenchOptions;
 use crate::bench::planned::Budget;
 use crate::gpu::{Gpu, device};
+use crate::lab::record::{self, RecordSettings};
 use crate::lab::reference::SamplingSettings;
 use crate::lab::render::PictureSequence;
 use crate::lab::{check, export, gallery, parameters, render, stats, validate};
@@ -64,11 +66,23 @@ fn run(cli: Cli) -> Result<i32, String> {
         Some(Command::Compare { reference, test, map, ppd }) => {
             compare::compare_pictures(&reference, &test, map.as_deref(), ppd)?
         }
-        Some(Command::Export { sea: args, output, raw }) => {
+        Some(Command::Export { sea: args, output, spectrum_to, raw }) => {
             let params = read_sea_params(&args)?;
-            block_on(export::run(&gpu()?, &params, &output, raw))?;
+            if let Some(path) = spectrum_to {
+                spectra::export(&params, &path)?;
+            }
+            if let Some(output) = output {
+                block_on(export::run(&gpu()?, &params, &output, raw))?;
+            }
             return Ok(0);
         }
+        Some(Command::Record { sea: args, at, hours, rate, waves, output }) => {
+            let settings = RecordSettings { points: at, hours, rate_hz: rate, wave_count: waves as usize };
+            let record = record::run(&read_sea_params(&args)?, &settings)?;
+            record.write(&output)?;
+            format!("{}: the rms height of the waves left out is {:.3} m", output.display(), record.residual_rms_m)
+        }
+        Some(Command::Spectra { files }) => spectra::listing(&files)?,
         Some(Command::Stats { sea: args, seeds, json }) => {
             let (params, notices) = args.read()?;
             let statistics = block_on(stats::run(&gpu()?, &params, seeds))?;

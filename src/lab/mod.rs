@@ -9,6 +9,7 @@ pub mod flip;
 pub mod gallery;
 pub mod page;
 pub mod parameters;
+pub mod record;
 pub mod reference;
 pub mod render;
 pub mod stats;

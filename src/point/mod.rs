@@ -3,5 +3,6 @@
 pub mod buoy_record;
 pub mod floating;
 pub mod heights;
+pub mod kinematics;
 
 pub use heights::{StrongestWaves, SurfaceSample};

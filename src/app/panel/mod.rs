@@ -3,11 +3,13 @@
 mod numbers;
 mod rows;
 mod seas;
+mod spectra;
 mod systems;
 pub mod time;
 
 use super::accessible_names::with_accessible_name;
 use super::{App, plots};
+use crate::files::measured::SpectrumList;
 use crate::state::fields::{FIELDS, Field, Group};
 use crate::state::floats::FloatingObjectKind;
 use crate::state::{Params, motion};
@@ -38,6 +40,8 @@ pub struct Panel {
     sheet_is_open: bool,
     /// Whether the seed of the random phases stays the same when a named sea is opened or everything is reset.
     pub seed_locked: bool,
+    /// Spectra of the file that was opened last, if it holds several; `None` if it does not or the list was closed.
+    spectra: Option<SpectrumList>,
 }
 
 /// Shows the panel over the sea: as a floating window, or in a narrow window as a sheet at the bottom.
@@ -137,6 +141,7 @@ fn show_contents(app: &mut App, ui: &mut egui::Ui) {
     show_action_buttons(app, ui);
     time::show_time_controls(app, ui);
     show_notices(app, ui);
+    spectra::show_spectrum_list(app, ui);
     ui.separator();
     egui::CollapsingHeader::new("Seas").show(ui, |ui| seas::show_presets(app, ui));
     egui::CollapsingHeader::new("Views").show(ui, |ui| show_camera_views(app, ui));

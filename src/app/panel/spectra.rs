@@ -1,0 +1,59 @@
+//! The list of spectra in an opened file that holds several times or places.
+
+use super::super::App;
+use super::super::accessible_names::with_accessible_name;
+use crate::files::measured::SpectrumList;
+
+/// Greatest height of the list, points.
+const LIST_HEIGHT_POINTS: f32 = 110.0;
+
+impl App {
+    /// Uses the default spectrum of an opened file. If the file holds several, the panel offers the others.
+    pub(in crate::app) fn use_spectra(&mut self, list: SpectrumList) {
+        let (count, used) = (list.records.len(), list.default_index);
+        let spectrum = list.records[used].spectrum.clone();
+        let directions =
+            spectrum.directional_table().map_or(String::new(), |t| format!(" x {} directions", t.direction_count()));
+        let bands = spectrum.bands().len();
+        let title = list.title(used);
+        self.notices = vec![format!("{title}: {bands} bands{directions}, Hs {:.2} m", spectrum.hs_m())];
+        self.notices.extend(list.notices.iter().cloned());
+        self.params.sea.set_measured_spectrum(spectrum);
+        self.panel.spectra = (count > 1).then_some(list);
+    }
+}
+
+/// Adds the list of the spectra of the file that was opened last, if it holds several. A click uses one of them.
+pub fn show_spectrum_list(app: &mut App, ui: &mut egui::Ui) {
+    let Some(list) = app.panel.spectra.take() else { return };
+    let mut keeps = true;
+    ui.horizontal(|ui| {
+        ui.label(format!("{}: {} spectra", list.name, list.records.len()));
+        keeps = !with_accessible_name(ui.small_button("×"), "Close the list of spectra").clicked();
+    });
+    let mut chosen = None;
+    let row_height = ui.spacing().interact_size.y;
+    let area = egui::ScrollArea::vertical().id_salt("spectra").max_height(LIST_HEIGHT_POINTS).auto_shrink(true);
+    area.show_rows(ui, row_height, list.records.len(), |ui, rows| {
+        for i in rows {
+            let record = &list.records[i];
+            let text = format!("{}  Hs {}", record.label, app.length_scale().format(record.spectrum.hs_m(), 2));
+            let is_used = app.params.sea.measured.as_deref() == Some(&record.spectrum);
+            let row = ui.add_sized(
+                [ui.available_width(), row_height],
+                egui::Button::selectable(is_used, text.trim_start()).truncate(),
+            );
+            if row.clicked() {
+                chosen = Some(i);
+            }
+        }
+    });
+    if let Some(i) = chosen {
+        let spectrum = list.records[i].spectrum.clone();
+        app.notices = vec![format!("{}: Hs {:.2} m", list.title(i), spectrum.hs_m())];
+        app.params.sea.set_measured_spectrum(spectrum);
+    }
+    if keeps {
+        app.panel.spectra = Some(list);
+    }
+}
