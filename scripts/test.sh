@@ -5,12 +5,12 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 # The steps of the whole run and of the quick run, in order. The step `page` runs beside the steps before it.
-WHOLE=(format clippy clippy-page library page-tools native window page browsers)
+WHOLE=(format clippy clippy-page library page-tools native wavespectra window page browsers)
 # A command that compiles a folder of shaders (`examples/shaders.rs`) and prints the registers that they need as JSON.
 [ -z "${SEASTATE_SHADER_COMPILER:-}" ] || WHOLE+=(registers)
 QUICK=(format clippy clippy-page library page-tools cpu passes smoke)
 # Integration tests that need no GPU, or few of whose tests need one. The unit tests of the library run with them.
-CPU_TESTS=(cli costs docs families heights hostile imports links shaders state validation)
+CPU_TESTS=(cli costs docs families heights hostile imports links shaders spectra state validation)
 
 usage() {
   cat <<USAGE
@@ -60,6 +60,19 @@ cpu() {
   cargo test --locked --no-fail-fast "${targets[@]}"
 }
 passes() { cargo test --locked --test passes; }
+# The Python package wavespectra reads what Seastate writes, and the other way round. Skipped without Python or network.
+wavespectra() {
+  local folder=${XDG_CACHE_HOME:-$HOME/.cache}/seastate/wavespectra
+  local wanted=tests/wavespectra/requirements.txt
+  if ! cmp -s "$wanted" "$folder/requirements.txt"; then
+    if ! { python3 -m venv --clear "$folder" && "$folder/bin/pip" install --quiet --requirement "$wanted"; }; then
+      echo "wavespectra: skipped, because Python's venv or the packages cannot be had"
+      return 0
+    fi
+    cp "$wanted" "$folder/requirements.txt"
+  fi
+  cargo build --locked && "$folder/bin/python" tests/wavespectra/third_opinion.py "${CARGO_TARGET_DIR:-target}/debug/seastate"
+}
 # One test at a time: two displays that start together may choose the same number.
 window() { cargo test --locked --test window -- --ignored --test-threads 1; }
 page() { build_page && ls -l dist; }

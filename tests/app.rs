@@ -152,6 +152,27 @@ fn a_dropped_buoy_becomes_the_sea() {
 }
 
 #[test]
+fn a_dropped_file_of_several_times_offers_them() {
+    let mut harness = open("n=64&pause=1");
+    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/spectra/turning-wind.sp2");
+    drop_files(&mut harness, &[sample]);
+    let last = harness.state().state();
+    assert!(last.contains("&measured=d*24*7.5_"), "{last}");
+    harness.get_by_label("turning-wind.sp2: 3 spectra");
+    harness.get_by_label_contains("20240301.000000").click();
+    harness.run_steps(2);
+    let first = harness.state().state();
+    assert_ne!(first, last);
+    harness.get_by_label_contains("20240301.120000").click();
+    harness.run_steps(2);
+    assert_eq!(harness.state().state(), last);
+    harness.get_by_label("Close the list of spectra").click();
+    harness.run_steps(2);
+    assert!(harness.query_by_label("turning-wind.sp2: 3 spectra").is_none());
+    assert_eq!(harness.state().state(), last);
+}
+
+#[test]
 fn a_dropped_sky_is_shown_and_carried_by_name() {
     let folder = std::env::temp_dir().join("seastate-sky-test");
     std::fs::create_dir_all(&folder).expect("a temporary folder");

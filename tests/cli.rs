@@ -30,6 +30,12 @@ fn bad_arguments_are_one_line_and_exit_code_2() {
         &["stats", "wind=10", "--seeds", "0"],
         &["stats", "wind=10", "--seeds", "many"],
         &["export", "wind=10"],
+        &["record", "wind=10", "-o", "a.csv"],
+        &["record", "wind=10", "--at", "1", "-o", "a.csv"],
+        &["record", "n=64", "--at", "1,2", "--hours", "0.001", "-o", "a.txt"],
+        &["stats", "--spectrum-index", "1"],
+        &["export", "wind=10", "--spectrum-to", "a.txt"],
+        &["spectra", "/nonexistent.sp2"],
         &["wind=10", "wind=11"],
         &["check", "--nonsense"],
         &["bench", "--repeat", "-1"],
@@ -341,4 +347,59 @@ fn a_sequence_is_pictures_in_time_with_layers() {
     assert!(row(&distance, 0) > 1e9, "{}", row(&distance, 0));
     assert!((8.0..25.0).contains(&row(&distance, 31)), "{}", row(&distance, 31));
     assert!((0.8..=1.0).contains(&row(&up, 31)), "{}", row(&up, 31));
+}
+
+#[test]
+fn spectra_are_listed_chosen_and_written() {
+    let folder = folder("spectra");
+    let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/spectra/turning-wind.sp2");
+    let listing = seastate(&["spectra", sample]);
+    let text = String::from_utf8_lossy(&listing.stdout).into_owned();
+    assert_eq!((listing.status.code(), text.lines().count()), (Some(0), 4), "{listing:?}");
+    assert!(text.lines().nth(3).is_some_and(|l| l.contains("20240301.120000") && l.contains("default")), "{text}");
+    for ending in ["csv", "sp2", "nc"] {
+        let path = folder.join(format!("sea.{ending}"));
+        let path = path.to_str().expect("utf-8");
+        let output = seastate(&["export", "--spectrum", sample, "--spectrum-index", "1", "--spectrum-to", path]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let again = seastate(&["spectra", path]);
+        let text = String::from_utf8_lossy(&again.stdout).into_owned();
+        // Hs and Tp of the second spectrum: the heights 1.5 m and 1.8 m of two systems.
+        assert!(text.contains("    2.3") && text.lines().count() == 2, "{text}");
+    }
+    let beyond = seastate(&["export", "--spectrum", sample, "--spectrum-index", "3", "--spectrum-to", "a.csv"]);
+    assert_eq!(beyond.status.code(), Some(2));
+    assert!(complaints(&beyond)[0].contains("it holds 3 spectra, numbered from 0"), "{beyond:?}");
+}
+
+#[test]
+fn a_record_is_written() {
+    let folder = folder("record");
+    for name in ["sea.csv", "sea.nc"] {
+        let path = folder.join(name);
+        let file = path.to_str().expect("utf-8");
+        let args = [
+            "record",
+            "wind=10&n=64",
+            "--at",
+            "0,0",
+            "--at",
+            "-5,10,-3",
+            "--hours",
+            "0.01",
+            "--waves",
+            "500",
+            "-o",
+            file,
+        ];
+        let output = seastate(&args);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let bytes = std::fs::read(&path).expect("a record");
+        if name == "sea.csv" {
+            let text = String::from_utf8(bytes).expect("text");
+            assert_eq!(text.lines().filter(|l| !l.starts_with('#')).count(), 1 + 144);
+        } else {
+            assert!(bytes.starts_with(b"CDF\x02"));
+        }
+    }
 }

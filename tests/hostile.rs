@@ -6,7 +6,9 @@ mod hostile;
 use exr::prelude::*;
 use hostile::CHECKS;
 use seastate::files::panorama;
+use seastate::waves::noise::pcg4d;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 /// Runs every case that fuzzing (fuzz/) found or kept through the check of its target.
 #[test]
@@ -27,6 +29,45 @@ fn kept_cases_do_no_harm() {
         }
     }
     assert!(bytes < 1 << 20, "{bytes} bytes of cases: keep fewer");
+}
+
+/// Changes the kept cases of the spectrum readers at random, for as many seconds each as SECONDS_EACH says: what fuzzing does,
+/// without its tools and without coverage.
+#[test]
+#[ignore = "minutes: after a change of a reader of spectra, where cargo-fuzz cannot be had"]
+fn changed_cases_do_no_harm() {
+    let seconds = std::env::var("SECONDS_EACH").ok().and_then(|s| s.parse().ok()).unwrap_or(120);
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests");
+    for (target, check) in CHECKS.iter().filter(|(name, _)| ["swan", "wavewatch", "spotter", "netcdf"].contains(name)) {
+        let folders = [root.join("cases").join(target), root.join("spectra")];
+        let paths = folders.iter().flat_map(|f| std::fs::read_dir(f).expect("a folder").map(|e| e.expect("a file").path()));
+        let is_netcdf = |p: &PathBuf| p.extension().is_some_and(|e| e == "nc");
+        let kept = |p: &PathBuf| p.parent() == Some(&folders[0]) || is_netcdf(p) == (*target == "netcdf");
+        let cases: Vec<Vec<u8>> = paths.filter(kept).map(|p| std::fs::read(p).expect("a case")).collect();
+        let (began, mut round) = (Instant::now(), 0_u32);
+        while began.elapsed() < Duration::from_secs(seconds) {
+            let mut bytes = cases[pcg4d([round, 1, 2, 3])[0] as usize % cases.len()].clone();
+            for change in 0..1 + pcg4d([round, 4, 5, 6])[0] % 4 {
+                let [at, kind, value, length] = pcg4d([round, change, 7, 8]);
+                if bytes.is_empty() {
+                    break;
+                }
+                // Headers are worth most.
+                let reach = if value % 2 == 0 { bytes.len() } else { bytes.len().min(1500) };
+                let at = at as usize % reach;
+                match kind % 6 {
+                    0 => bytes.truncate(at),
+                    1 => drop(bytes.drain(at..bytes.len().min(at + length as usize % 30))),
+                    2 => bytes.splice(at..at, b"0123456789-eE.\n ".iter().copied().skip(length as usize % 16).take(2)).for_each(drop),
+                    3 => bytes[at] = [0, 1, 0x7f, 0x80, 0xff, b'9', b'-', b'\n'][length as usize % 8],
+                    _ => bytes[at] = value as u8,
+                }
+            }
+            check(&bytes);
+            round += 1;
+        }
+        eprintln!("{target}: {round} changed files in {seconds} s");
+    }
 }
 
 /// A small sky in OpenEXR, as scanlines. Its attribute `chunkCount` is renamed, because changed sizes would disagree

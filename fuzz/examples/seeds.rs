@@ -37,6 +37,7 @@ fn main() -> std::io::Result<()> {
     let header = "#YY MM DD hh mm .02 .05 .1\n2023 1 1 0 0";
     let archive = format!("44025w2023.txt\n{header} 0. 1.5 2\n\x1c44025d2023.txt\n{header} 10 20 30\n");
     put("buoy", "archive", archive.as_bytes())?;
+    put_spectra(&put)?;
     for (name, bytes) in skies() {
         put("sky", &name, &bytes)?;
     }
@@ -56,9 +57,47 @@ fn main() -> std::io::Result<()> {
         "about:",
         "999.0",
         "MM",
+        "FACTOR",
+        "NODATA",
+        "ZERO",
+        "LOCATION",
+        "CDIR",
+        "EnDens",
+        "varianceDensity",
+        "frequency",
+        "d2fd",
+        "efth",
     ];
     let dictionary: Vec<String> = words.chain(more).map(|word| format!("\"{word}\"\n")).collect();
     std::fs::write(corpus.join("words.dict"), dictionary.concat())
+}
+
+/// Spectra in the formats of wave models and of Spotter buoys.
+fn put_spectra(put: &impl Fn(&str, &str, &[u8]) -> std::io::Result<()>) -> std::io::Result<()> {
+    let state = "spectrum=measured&measured=d*8*20_.05*1*--AAggAAAAAAAABB_.1*3*ABAD--CCAAAAAAAA_.2*1*AAAA--QQAAAAQQAA";
+    let sea = seastate::waves::Plan::new(&query::parse(state).0).directional_spectrum(state);
+    put("swan", "2d", sea.to_swan().as_bytes())?;
+    put("swan", "times", include_bytes!("../../tests/spectra/swan.sp2"))?;
+    let head = "SWAN 1\nLOCATIONS\n 1\n 0 0\nRFREQ\n 3\n .1 .2 .3\nQUANT\n 3\n";
+    let table = "EnDens\nJ/m2/Hz\n-99\nCDIR\ndegr\n-999\nDSPRDEGR\ndegr\n-9\nLOCATION 1\n 900 10 20\n 800 -999 -9\n 70 350 30\n";
+    put("swan", "1d", format!("{head}{table}").as_bytes())?;
+    let point = "20130101 000000\n'a         '  33.75-119.05  881.3 2.04 258.5 0.00 270.0\n 0.1E+00 0.2E+00 .1 0 0 0 1 2 3 1 1 1\n";
+    let spectra = "'WAVEWATCH III SPECTRA' 3 4 1 'x'\n .1 .2 .3\n 0.0 1.571 3.142 4.712\n";
+    put("wavewatch", "0", format!("{spectra}{point}{point}").as_bytes())?;
+    put("wavewatch", "table", sea.to_csv().as_bytes())?;
+    let moments = r#""frequency":[0.1,0.2,0.3],"varianceDensity":[1,2,0.5],"a1":[0.5,0,0],"b1":[0,1,0],"a2":[0,0,0.1],"b2":[0,0,0]"#;
+    let means = r#""frequency":[0.1,0.2,0.3],"varianceDensity":[1,2,0.5],"direction":[1,null,3],"directionalSpread":[9,20,30]"#;
+    put("spotter", "0", format!(r#"{{"data":{{"frequencyData":[{{{moments},"timestamp":"t"}},{{{means}}}]}}}}"#).as_bytes())?;
+    put("netcdf", "own", &sea.to_netcdf())?;
+    for (name, bytes) in [
+        ("cdf1", &include_bytes!("../../tests/spectra/ww3-cdf1.nc")[..]),
+        ("cdf5", include_bytes!("../../tests/spectra/ww3-cdf5.nc")),
+        ("era5", include_bytes!("../../tests/spectra/era5-numbered.nc")),
+        ("era5-4", include_bytes!("../../tests/spectra/era5-values.nc")),
+    ] {
+        put("netcdf", name, bytes)?;
+    }
+    Ok(())
 }
 
 /// A small sky in every file format and encoding that is read.

@@ -171,3 +171,18 @@ fn the_directions_of_the_samples_are_the_known_ones() {
     }
     assert_eq!(directions[0], directions[1], "nothing is known of the lowest band");
 }
+
+#[test]
+fn the_sample_of_a_model_is_what_it_says() {
+    let text = include_str!("../../../../assets/spectra/turning-wind.sp2");
+    let all = super::models::list("turning-wind.sp2", text);
+    for (record, (hs_m, from_deg)) in all.records.iter().zip([(1.0, 210.0), (1.8, 230.0), (2.5, 250.0)]) {
+        let sea = &record.spectrum;
+        let want = f64::hypot(hs_m, 1.5);
+        assert!((sea.hs_m() / want - 1.0).abs() < 0.02, "{}: Hs {}, not {want}", record.label, sea.hs_m());
+        // Where the swell has left hardly any energy, the direction is that of the wind sea.
+        let [x, z] = sea.tabulated_distribution(TAU * 0.35).expect("directions").first_moment();
+        let found = (-x).atan2(z).to_degrees().rem_euclid(360.0);
+        assert!((found - from_deg).abs() < 3.0, "{}: {found}", record.label);
+    }
+}
