@@ -40,7 +40,8 @@ fn changed_cases_do_no_harm() {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests");
     for (target, check) in CHECKS.iter().filter(|(name, _)| ["swan", "wavewatch", "spotter", "netcdf"].contains(name)) {
         let folders = [root.join("cases").join(target), root.join("spectra")];
-        let paths = folders.iter().flat_map(|f| std::fs::read_dir(f).expect("a folder").map(|e| e.expect("a file").path()));
+        let paths =
+            folders.iter().flat_map(|f| std::fs::read_dir(f).expect("a folder").map(|e| e.expect("a file").path()));
         let is_netcdf = |p: &PathBuf| p.extension().is_some_and(|e| e == "nc");
         let kept = |p: &PathBuf| p.parent() == Some(&folders[0]) || is_netcdf(p) == (*target == "netcdf");
         let cases: Vec<Vec<u8>> = paths.filter(kept).map(|p| std::fs::read(p).expect("a case")).collect();
@@ -58,7 +59,9 @@ fn changed_cases_do_no_harm() {
                 match kind % 6 {
                     0 => bytes.truncate(at),
                     1 => drop(bytes.drain(at..bytes.len().min(at + length as usize % 30))),
-                    2 => bytes.splice(at..at, b"0123456789-eE.\n ".iter().copied().skip(length as usize % 16).take(2)).for_each(drop),
+                    2 => bytes
+                        .splice(at..at, b"0123456789-eE.\n ".iter().copied().skip(length as usize % 16).take(2))
+                        .for_each(drop),
                     3 => bytes[at] = [0, 1, 0x7f, 0x80, 0xff, b'9', b'-', b'\n'][length as usize % 8],
                     _ => bytes[at] = value as u8,
                 }

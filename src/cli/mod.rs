@@ -9,7 +9,7 @@ mod spectra;
 use crate::bench::BenchOptions;
 use crate::bench::planned::Budget;
 use crate::gpu::{Gpu, device};
-use crate::lab::record::{self, RecordSettings};
+use crate::lab::record::{self, RecordFormat, RecordSettings};
 use crate::lab::reference::SamplingSettings;
 use crate::lab::render::PictureSequence;
 use crate::lab::{check, export, gallery, parameters, render, stats, validate};
@@ -78,8 +78,9 @@ fn run(cli: Cli) -> Result<i32, String> {
         }
         Some(Command::Record { sea: args, at, hours, rate, waves, output }) => {
             let settings = RecordSettings { points: at, hours, rate_hz: rate, wave_count: waves as usize };
+            let format = RecordFormat::for_path(&output)?;
             let record = record::run(&read_sea_params(&args)?, &settings)?;
-            record.write(&output)?;
+            record.write(&output, format)?;
             format!("{}: the rms height of the waves left out is {:.3} m", output.display(), record.residual_rms_m)
         }
         Some(Command::Spectra { files }) => spectra::listing(&files)?,

@@ -15,6 +15,29 @@ const MAX_SAMPLES: f64 = 20e6;
 /// Names of the columns of a point, and their units.
 const COLUMNS: [(&str, &str); 5] = [("eta", "m"), ("u", "m_s"), ("v", "m_s"), ("w", "m_s"), ("p", "pa")];
 
+/// Format of the file of a record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RecordFormat {
+    /// Text with a column for each value.
+    Csv,
+    /// Classic NetCDF.
+    NetCdf,
+}
+
+impl RecordFormat {
+    /// Format that the ending of a file's name says: `.csv` or `.nc`.
+    ///
+    /// # Errors
+    /// One sentence, if it is neither.
+    pub fn for_path(path: &Path) -> Result<Self, String> {
+        match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
+            Some("nc") => Ok(Self::NetCdf),
+            Some("csv") => Ok(Self::Csv),
+            _ => Err(format!("{}: the name of a record ends in .csv or .nc", path.display())),
+        }
+    }
+}
+
 /// What is recorded.
 #[derive(Clone, Debug)]
 pub struct RecordSettings {
@@ -96,15 +119,14 @@ pub fn run(params: &Params, settings: &RecordSettings) -> Result<Record, String>
 }
 
 impl Record {
-    /// Writes the record to a file: NetCDF if its name ends in `.nc`, CSV if in `.csv`.
+    /// Writes the record to a file.
     ///
     /// # Errors
-    /// One sentence, if the name ends in neither, or the file cannot be written.
-    pub fn write(&self, path: &Path) -> Result<(), String> {
-        match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
-            Some("nc") => write_file(path, self.netcdf()),
-            Some("csv") => write_file(path, self.csv()),
-            _ => Err(format!("{}: the name of a record ends in .csv or .nc", path.display())),
+    /// One sentence, if the file cannot be written.
+    pub fn write(&self, path: &Path, format: RecordFormat) -> Result<(), String> {
+        match format {
+            RecordFormat::NetCdf => write_file(path, self.netcdf()),
+            RecordFormat::Csv => write_file(path, self.csv()),
         }
     }
 
