@@ -153,21 +153,22 @@ fn a_dropped_buoy_becomes_the_sea() {
 
 #[test]
 fn a_dropped_file_of_several_times_offers_them() {
-    let mut harness = open("n=64&pause=1");
+    let mut harness = open_in("n=64&pause=1", [900.0, 900.0]);
     let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/spectra/turning-wind.sp2");
     drop_files(&mut harness, &[sample]);
+    harness.run_steps(4);
     let last = harness.state().state();
     assert!(last.contains("&measured=d*24*7.5_"), "{last}");
     harness.get_by_label("turning-wind.sp2: 3 spectra");
     harness.get_by_label_contains("20240301.000000").click();
-    harness.run_steps(2);
+    harness.run_steps(4);
     let first = harness.state().state();
     assert_ne!(first, last);
     harness.get_by_label_contains("20240301.120000").click();
-    harness.run_steps(2);
+    harness.run_steps(4);
     assert_eq!(harness.state().state(), last);
     harness.get_by_label("Close the list of spectra").click();
-    harness.run_steps(2);
+    harness.run_steps(4);
     assert!(harness.query_by_label("turning-wind.sp2: 3 spectra").is_none());
     assert_eq!(harness.state().state(), last);
 }

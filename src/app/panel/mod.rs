@@ -140,8 +140,8 @@ fn show_contents(app: &mut App, ui: &mut egui::Ui) {
     seas::show_wind_slider(app, ui);
     show_action_buttons(app, ui);
     time::show_time_controls(app, ui);
-    show_notices(app, ui);
     spectra::show_spectrum_list(app, ui);
+    show_notices(app, ui);
     ui.separator();
     egui::CollapsingHeader::new("Seas").show(ui, |ui| seas::show_presets(app, ui));
     egui::CollapsingHeader::new("Views").show(ui, |ui| show_camera_views(app, ui));

@@ -52,8 +52,8 @@ mod with {
                 chunk_cache_bytes: 1 << 20,
                 ..NcOpenOptions::default()
             };
-            let file = NcFile::from_bytes_with_options(bytes, options).map_err(one_line)?;
-            let variables = file.variables().map_err(one_line)?;
+            let file = NcFile::from_bytes_with_options(bytes, options).map_err(|e| one_line(&e))?;
+            let variables = file.variables().map_err(|e| one_line(&e))?;
             if variables.len() > MAX_ENTRIES {
                 return Err(format!("{} variables, but at most {MAX_ENTRIES} are read", variables.len()));
             }
@@ -63,12 +63,12 @@ mod with {
 
         /// All values of a variable; a letter is its code.
         pub fn numbers(&self, name: &str) -> Result<Vec<f64>, String> {
-            let is_text = self.0.variable(name).map_err(one_line)?.dtype == NcType::Char;
+            let is_text = self.0.variable(name).map_err(|e| one_line(&e))?.dtype == NcType::Char;
             if is_text {
-                let letters = self.0.read_variable_raw_bytes(name).map_err(one_line)?;
+                let letters = self.0.read_variable_raw_bytes(name).map_err(|e| one_line(&e))?;
                 return Ok(letters.into_iter().map(f64::from).collect());
             }
-            let values = self.0.read_variable_as_f64(name).map_err(one_line)?;
+            let values = self.0.read_variable_as_f64(name).map_err(|e| one_line(&e))?;
             Ok(values.into_iter().collect())
         }
     }
@@ -91,7 +91,7 @@ mod with {
     }
 
     /// Text of the crate's error in one line.
-    fn one_line(error: netcdf_reader::Error) -> String {
+    fn one_line(error: &netcdf_reader::Error) -> String {
         let text = error.to_string();
         format!("it cannot be read as NetCDF-4: {}", text.lines().next().unwrap_or_default())
     }

@@ -80,7 +80,7 @@ impl Directions {
         if !(MIN_DIRECTIONS..=MAX_FILE_DIRECTIONS).contains(&n) {
             return Err(format!("{n} directions, but {MIN_DIRECTIONS} to {MAX_FILE_DIRECTIONS} are needed"));
         }
-        if from_deg.iter().any(|d| !(d.abs() <= 1e4)) {
+        if from_deg.iter().any(|d| !d.is_finite() || d.abs() > 1e4) {
             return Err("a direction is not an angle in degrees".into());
         }
         let wrapped: Vec<f64> = from_deg.iter().map(|d| d.rem_euclid(360.0)).collect();
