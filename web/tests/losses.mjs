@@ -4,7 +4,8 @@ import { join } from 'node:path';
 import { frames, openSea } from './sea.mjs';
 import { apart, fromPng, random } from './stats.mjs';
 
-const STATE = 'wind=15&fetch=300&t=20&pause=1&n=64&ui=0&adaptive=0&mesh=0.1&renderscale=0.5&afloat=buoy*4*-30';
+// With a version: the state is both a link and a bare string, which have different ones without it.
+const STATE = 'v=2&wind=15&fetch=300&t=20&pause=1&n=64&ui=0&adaptive=0&mesh=0.1&renderscale=0.5&afloat=buoy*4*-30';
 const SIZE = [320, 200];
 const LOSSES = 20;
 const SEED = 2026;
