@@ -60,7 +60,7 @@ fn the_subset_covers_everything() {
 fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
     let state =
         format!("n=128&spectrum={spectrum}&spread={spread}&wind={wind}&fetch={fetch}&depth={depth}&dir=205{more}");
-    let report = pollster::block_on(stats::run(&gpu(), &params(&state), SEEDS)).expect("statistics");
+    let report = pollster::block_on(stats::run(&gpu(), &params(&state), SEEDS, None)).expect("statistics");
     let (r, m) = (&report.resolved, &report.measured);
     eprintln!("{state}\n{report}");
     let within = |what: &str, measured: &EstimateWithError, resolved: f64| {

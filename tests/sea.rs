@@ -15,7 +15,7 @@ use seastate::waves::{Plan, statistics};
 
 /// Compares theory, resolved and measured statistics over 64 seeds, and checks Parseval's theorem for each seed.
 fn assert_height(state: &str) -> stats::SeaStatistics {
-    let report = pollster::block_on(stats::run(&gpu(), &params(state), 64)).expect("statistics");
+    let report = pollster::block_on(stats::run(&gpu(), &params(state), 64, None)).expect("statistics");
     let (t, r, m) = (&report.theory, &report.resolved, &report.measured);
     let text = format!("{state}\n{report}");
     assert!(r.m0_fraction >= 0.99, "{text}");

@@ -3,8 +3,7 @@
 
 mod common;
 
-use common::{gpu, params};
-use seastate::files::measured::{DirectionalParameters, MeasuredSpectrum};
+use common::{gpu, params, travelling_east};
 use seastate::gpu::Gpu;
 use seastate::lab::ensemble::{mean_sd_skewness_kurtosis, visit_surface_points};
 use seastate::oracle::surface::bound_height_m;
@@ -42,24 +41,6 @@ fn kernels_have_the_published_limits() {
             assert!((kernels.difference / set_down - 1.0).abs() < 2e-3, "{depth_m} {k}: {kernels:?} {set_down}");
         }
     }
-}
-
-/// Parameters of a state with its frequency spectrum, whose waves travel east with a directional spread of `spread_deg`.
-fn travelling_east(state: &str, spread_deg: f64) -> Params {
-    let mut params = params(state);
-    let plan = Plan::new(&params);
-    let peak_hz = plan.omega_p / TAU;
-    // From half the peak frequency to four times it.
-    let bands: Vec<(f64, f64)> = (0..200)
-        .map(|i| {
-            let f = peak_hz * 8.0f64.powf(f64::from(i) / 199.0) * 0.5;
-            (f, TAU * plan.density(TAU * f))
-        })
-        .collect();
-    let east = DirectionalParameters::from_spread(270.0, spread_deg);
-    let measured = MeasuredSpectrum::new(&bands, Some(&vec![east; bands.len()])).expect("a spectrum");
-    params.sea.set_measured_spectrum(measured);
-    params
 }
 
 #[test]

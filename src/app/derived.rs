@@ -4,6 +4,7 @@ use super::plots::polar::DirectionalSpectrumSamples;
 use crate::point::StrongestWaves;
 use crate::point::floating::HullWaves;
 use crate::state::Params;
+use crate::waves::crest_theory::CrestTheory;
 use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use crate::waves::{Plan, SeaChange};
 use std::cell::OnceCell;
@@ -26,6 +27,8 @@ pub struct DerivedSeaData {
     hull_waves: OnceCell<HullWaves>,
     /// Directional spectrum, sampled for the panel's polar plot; empty until first used.
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
+    /// Expected distributions of crests and heights; empty until first used.
+    crest_theory: OnceCell<CrestTheory>,
 }
 
 impl DerivedSeaData {
@@ -40,6 +43,7 @@ impl DerivedSeaData {
             resolved: OnceCell::new(),
             hull_waves: OnceCell::new(),
             directional_spectrum: OnceCell::new(),
+            crest_theory: OnceCell::new(),
         }
     }
 
@@ -75,6 +79,11 @@ impl DerivedSeaData {
     /// Directional spectrum, sampled for the panel's polar plot; computed at the first call.
     pub fn directional_spectrum(&self) -> &DirectionalSpectrumSamples {
         self.directional_spectrum.get_or_init(|| DirectionalSpectrumSamples::new(&self.plan))
+    }
+
+    /// Expected distributions of crests and heights; computed at the first call.
+    pub fn crest_theory(&self) -> &CrestTheory {
+        self.crest_theory.get_or_init(|| CrestTheory::new(&self.plan, &self.theoretical_statistics))
     }
 }
 

@@ -164,6 +164,13 @@ pub enum Command {
         /// Number of seeds over which statistics are measured
         #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
         seeds: u32,
+        /// Also measures crests, troughs and wave heights in a record of each seed at a fixed point, computed on the
+        /// CPU, and writes their exceedance beside theory to this CSV file
+        #[arg(long, value_name = "FILE")]
+        crests: Option<PathBuf>,
+        /// Length of each record in hours; a sea repeats after a day
+        #[arg(long, default_value_t = 3.0, requires = "crests", value_parser = parse_hours)]
+        hours: f64,
         /// Prints JSON instead of a table
         #[arg(long)]
         json: bool,
@@ -240,6 +247,11 @@ fn parse_point(text: &str) -> Result<(f64, f64, Option<f64>), String> {
         Some([x, y, z]) => Ok((*x, *y, Some(*z))),
         _ => Err("a point is X,Y or X,Y,Z in metres, such as 10,-20,-5".to_owned()),
     }
+}
+
+fn parse_hours(text: &str) -> Result<f64, String> {
+    let hours = text.parse().ok().filter(|hours| (0.05..=24.0).contains(hours));
+    hours.ok_or_else(|| "a record has a length of 0.05 to 24 hours".to_owned())
 }
 
 fn parse_size(text: &str) -> Result<[u32; 2], String> {

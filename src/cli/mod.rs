@@ -14,7 +14,7 @@ use crate::lab::reference::SamplingSettings;
 use crate::lab::render::PictureSequence;
 use crate::lab::{check, export, gallery, parameters, render, stats, validate};
 use crate::ocean::device_info::DeviceInfo;
-use crate::state::Params;
+use crate::state::{Params, query};
 use args::{Cli, Command, SeaArgs};
 use clap::Parser as _;
 use pollster::block_on;
@@ -84,9 +84,12 @@ fn run(cli: Cli) -> Result<i32, String> {
             format!("{}: the rms height of the waves left out is {:.3} m", output.display(), record.residual_rms_m)
         }
         Some(Command::Spectra { files }) => spectra::listing(&files)?,
-        Some(Command::Stats { sea: args, seeds, json }) => {
+        Some(Command::Stats { sea: args, seeds, crests, hours, json }) => {
             let (params, notices) = args.read()?;
-            let statistics = block_on(stats::run(&gpu()?, &params, seeds))?;
+            let statistics = block_on(stats::run(&gpu()?, &params, seeds, crests.is_some().then_some(hours)))?;
+            if let Some(path) = &crests {
+                statistics.crests.write_csv(path, &query::write(&params))?;
+            }
             if !json {
                 report_notices(&notices);
             }

@@ -1,5 +1,6 @@
 //! `seastate stats`: statistics of a sea by theory, of the waves on the FFT grids (resolved), and measured on the GPU.
 
+use super::crests::{self, CrestStatistics};
 use super::ensemble::{self, MeasuredStatistics};
 use super::estimate::EstimateWithError;
 use crate::gpu::Gpu;
@@ -7,6 +8,9 @@ use crate::shaders::Shaders;
 use crate::sim::Simulation;
 use crate::state::{Params, query};
 use crate::waves::Plan;
+use crate::waves::crest_theory::CrestTheory;
+use crate::waves::crests::WaveRecordStatistics;
+use crate::waves::second_order::expected_skewness;
 use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use serde_json::{Value, json};
 use std::fmt;
@@ -24,20 +28,36 @@ pub struct SeaStatistics {
     pub measured: MeasuredStatistics,
     /// Foam coverage measured on the GPU with the first seed, 0 to 1: mean over all cells of all foam levels.
     whitecap_fraction: f64,
+    /// Skewness of the surface by second-order theory; `None` for a sea of first order.
+    expected_skewness: Option<f64>,
+    /// Crests, heights and groups of waves.
+    pub crests: CrestStatistics,
 }
 
+/// Number of wave numbers in the double sum over all pairs of waves, from which the expected skewness follows.
+const WAVE_NUMBERS_OF_DOUBLE_SUM: usize = 40;
+
 /// Computes the statistics of the sea of `params`, and measures them over `seeds` seeds, beginning with its own seed.
+/// `record_hours` is the length (h) of the records of each seed in which crests and heights are measured; without it
+/// they are not.
 ///
 /// # Errors
 /// If reading back from the GPU fails.
-pub async fn run(gpu: &Gpu, params: &Params, seeds: u32) -> Result<SeaStatistics, String> {
+pub async fn run(gpu: &Gpu, params: &Params, seeds: u32, record_hours: Option<f64>) -> Result<SeaStatistics, String> {
     let plan = Plan::new(params);
     let theory = SpectrumStatistics::new(&plan);
     let resolved = LatticeStatistics::new(&plan, theory.variance_m2);
     let mut sim = Simulation::new(gpu, plan.clone(), &Shaders::default());
     let whitecap_fraction = ensemble::mean_foam(gpu, &mut sim, params.clock.t_s).await?;
     let measured = ensemble::measure(gpu, &mut sim, params, seeds, &mut |_, _| ()).await?;
-    Ok(SeaStatistics { params: params.clone(), plan, theory, resolved, measured, whitecap_fraction })
+    let expected_skewness = (plan.sea.wave_order == 2).then(|| expected_skewness(&plan, WAVE_NUMBERS_OF_DOUBLE_SUM));
+    let in_records = record_hours.and_then(|hours| {
+        let (records, step_s) = crests::records(params, &theory, seeds, hours);
+        WaveRecordStatistics::new(&records, step_s)
+    });
+    let crests = CrestStatistics { theory: CrestTheory::new(&plan, &theory), measured: in_records };
+    let params = params.clone();
+    Ok(SeaStatistics { params, plan, theory, resolved, measured, whitecap_fraction, expected_skewness, crests })
 }
 
 impl SeaStatistics {
@@ -56,7 +76,8 @@ impl SeaStatistics {
                 "m0_m2": t.variance_m2, "hs_m": t.hs_m, "tp_s": t.tp_s, "tm01_s": t.tm01_s, "tm02_s": t.tm02_s,
                 "lambda_p_m": t.lambda_p_m, "lambda_mean_m": t.lambda_mean_m, "steepness": t.steepness,
                 "mss": t.mss, "k_max": t.k_max, "mean_from_deg": t.mean_from_deg, "spread_deg": t.spread_deg,
-                "benjamin_feir": t.benjamin_feir, "whitecap_fraction": t.whitecap_fraction,
+                "benjamin_feir": t.benjamin_feir, "skewness": self.expected_skewness,
+                "whitecap_fraction": t.whitecap_fraction,
             },
             "resolved": {
                 "m0_m2": r.variance_m2, "hs_m": r.hs_m, "tm01_s": r.tm01_s, "tm02_s": r.tm02_s, "mss": r.mss,
@@ -77,6 +98,7 @@ impl SeaStatistics {
                 "whitecap_fraction": self.whitecap_fraction,
                 "parseval_error": m.parseval_error, "seeds": m.seed_count,
             },
+            "crests": self.crests.json(),
             "cascades": cascades,
         });
         serde_json::to_string_pretty(&value).unwrap_or_default()
@@ -110,7 +132,7 @@ impl fmt::Display for SeaStatistics {
             ("Benjamin-Feir index", value(t.benjamin_feir, 3), none(), none()),
             ("resolved share of m0", none(), value(r.m0_fraction, 4), none()),
             ("mean elevation, m", none(), none(), with_error(&m.mean_elevation_m, 4)),
-            ("skewness", none(), none(), with_error(&m.skewness, 4)),
+            ("skewness", self.expected_skewness.map_or_else(none, |s| value(s, 4)), none(), with_error(&m.skewness, 4)),
             ("kurtosis", none(), none(), with_error(&m.kurtosis, 4)),
             ("whitecap fraction", value(t.whitecap_fraction, 4), none(), value(self.whitecap_fraction, 4)),
             ("seeds", none(), none(), m.seed_count.to_string()),
@@ -118,6 +140,7 @@ impl fmt::Display for SeaStatistics {
         for (what, theory, resolved, measured) in rows {
             writeln!(f, "{what:<26} {theory:>12} {resolved:>12} {measured:>22}")?;
         }
+        f.write_str(&self.crests.text())?;
         let n = self.plan.n;
         for c in &self.plan.cascades {
             let [patch_m, low, high] = [c.patch_m, c.k_low, c.k_high];

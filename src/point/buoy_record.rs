@@ -1,5 +1,7 @@
-//! The record of a buoy: the height of the sea at one point over time, with its significant wave height and spectrum.
+//! The record of a buoy: the height of the sea at one point over time, with its significant wave height, spectrum and
+//! single waves.
 
+use crate::waves::crests::WaveRecordStatistics;
 use crate::waves::record;
 use std::collections::VecDeque;
 
@@ -7,7 +9,7 @@ use std::collections::VecDeque;
 const SAMPLE_RATE_HZ: f64 = 4.0;
 /// Longest buoy record, s: half an hour, as is usual for buoys. Older samples are dropped.
 const RECORD_LENGTH_S: f64 = 1800.0;
-/// Simulated time between two computations of a record's spectrum, s.
+/// Simulated time between two computations of a record's spectrum and waves, s.
 const SPECTRUM_INTERVAL_S: f64 = 10.0;
 /// Longest step of simulated time between updates, s, that is filled with samples; a longer one starts a new record.
 const LONGEST_GAP_S: f64 = 5.0;
@@ -21,6 +23,8 @@ pub struct BuoyRecord {
     samples: VecDeque<[f64; 2]>,
     /// Latest frequency spectrum as pairs of angular frequency omega (rad/s) and variance density S(omega) (m^2 s).
     spectrum: Vec<[f64; 2]>,
+    /// Latest statistics of the record's waves.
+    waves: Option<WaveRecordStatistics>,
     /// Number of samples taken after the latest spectrum was computed.
     samples_since_spectrum: usize,
 }
@@ -51,6 +55,7 @@ impl BuoyRecord {
         if self.samples_since_spectrum >= (SPECTRUM_INTERVAL_S * SAMPLE_RATE_HZ) as usize {
             let heights: Vec<f64> = self.samples.iter().map(|s| s[1]).collect();
             self.spectrum = record::welch_spectrum(&heights, SAMPLE_RATE_HZ);
+            self.waves = WaveRecordStatistics::new(&[heights], 1.0 / SAMPLE_RATE_HZ);
             self.samples_since_spectrum = 0;
         }
     }
@@ -71,10 +76,11 @@ impl BuoyRecord {
         self.samples.back().is_some_and(|last| (0.0..1.0 / SAMPLE_RATE_HZ).contains(&(t_s - last[0])))
     }
 
-    /// Removes all samples and the spectrum, for example because another sea is drawn.
+    /// Removes all samples, the spectrum and the waves, for example because another sea is drawn.
     pub fn clear(&mut self) {
         self.samples.clear();
         self.spectrum.clear();
+        self.waves = None;
         self.samples_since_spectrum = 0;
     }
 
@@ -93,6 +99,11 @@ impl BuoyRecord {
     /// variance density S(omega) (m^2 s). Empty in the first two minutes of a record.
     pub fn spectrum(&self) -> &[[f64; 2]] {
         &self.spectrum
+    }
+
+    /// Latest statistics of the record's waves, renewed every 10 s; `None` in the first 10 s of a record.
+    pub fn waves(&self) -> Option<&WaveRecordStatistics> {
+        self.waves.as_ref()
     }
 }
 

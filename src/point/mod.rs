@@ -5,4 +5,4 @@ pub mod floating;
 pub mod heights;
 pub mod kinematics;
 
-pub use heights::{StrongestWaves, SurfaceSample};
+pub use heights::{StrongestWaves, SurfaceSample, WaveStaff};

@@ -8,6 +8,8 @@ pub mod cascades;
 pub mod change;
 pub mod colour_scale;
 mod directional_spectrum;
+pub mod crest_theory;
+pub mod crests;
 pub mod dispersion;
 pub mod energy;
 pub mod fft;

@@ -4,6 +4,7 @@
 pub mod skies;
 pub mod wgsl;
 
+use seastate::files::measured::{DirectionalParameters, MeasuredSpectrum};
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::{Gpu, device};
 use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
@@ -14,6 +15,7 @@ use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
 use seastate::waves::noise::pcg4d;
+use std::f64::consts::TAU;
 
 pub fn gpu() -> Gpu {
     pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers")
@@ -34,6 +36,24 @@ pub fn gpu_with(maps: MapFormat) -> Gpu {
 pub fn params(state: &str) -> Params {
     let (params, notices) = query::parse(state);
     assert_eq!(notices, Vec::<String>::new(), "{state}");
+    params
+}
+
+/// Parameters of a state with its frequency spectrum, whose waves travel east with a directional spread of `spread_deg`.
+pub fn travelling_east(state: &str, spread_deg: f64) -> Params {
+    let mut params = params(state);
+    let plan = Plan::new(&params);
+    let peak_hz = plan.omega_p / TAU;
+    // From half the peak frequency to four times it.
+    let bands: Vec<(f64, f64)> = (0..200)
+        .map(|i| {
+            let f = peak_hz * 8.0f64.powf(f64::from(i) / 199.0) * 0.5;
+            (f, TAU * plan.density(TAU * f))
+        })
+        .collect();
+    let east = DirectionalParameters::from_spread(270.0, spread_deg);
+    let measured = MeasuredSpectrum::new(&bands, Some(&vec![east; bands.len()])).expect("a spectrum");
+    params.sea.set_measured_spectrum(measured);
     params
 }
 

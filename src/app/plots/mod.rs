@@ -1,7 +1,9 @@
-//! Plots of the panel: frequency spectrum, directional spectrum, height at a point over time, and a profile of the sea.
+//! Plots of the panel: frequency spectrum, directional spectrum, height at a point over time with the exceedance of its
+//! crests and heights, and a profile of the sea.
 //! Each can be saved as CSV. The colours of Okabe and Ito (2008) stay distinct for colour-blind readers; lines also
 //! differ in dashes.
 
+mod exceedance;
 pub mod polar;
 mod profile;
 mod series;
@@ -63,6 +65,10 @@ pub fn show_all_plots(app: &mut App, ui: &mut egui::Ui) {
     show_plot_section(ui, "Sea at a buoy", false, &mut table_to_save, |ui| {
         app.visible_readouts.height_record.set(true);
         series::show_height_record_plot(app, ui)
+    });
+    show_plot_section(ui, "Crests at a buoy", false, &mut table_to_save, |ui| {
+        app.visible_readouts.height_record.set(true);
+        exceedance::show_exceedance_plot(app, ui)
     });
     show_plot_section(ui, "Cut through the sea", false, &mut table_to_save, |ui| profile::show_profile_plot(app, ui));
     if let Some(table) = table_to_save {

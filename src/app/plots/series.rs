@@ -10,7 +10,7 @@ const PLOTTED_DURATION_S: f64 = 120.0;
 impl App {
     /// Name and position (m east and south) of the place where the height is recorded: the first floating object, or
     /// below the camera.
-    fn record_label_and_position(&self) -> (&'static str, [f64; 2]) {
+    pub(super) fn record_label_and_position(&self) -> (&'static str, [f64; 2]) {
         match self.params.floating_objects.first() {
             Some(float) => ("the first floating object", [float.x_m, float.z_m]),
             None => ("the point below the camera", [self.params.camera.x_m, self.params.camera.z_m]),

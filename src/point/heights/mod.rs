@@ -30,8 +30,11 @@
 use crate::waves::Plan;
 use crate::waves::lattice::period_fraction_u32;
 use crate::waves::plan::Cascade;
+pub use record::WaveStaff;
+use search::CONVERGED_DISTANCE_M;
 use waves::{CandidateWave, PatchWaves, WaveSums, candidate_waves};
 
+mod record;
 mod search;
 #[cfg(test)]
 mod tests;
@@ -193,7 +196,7 @@ impl StrongestWaves {
             return self.still_water();
         }
         let time = period_fraction_u32(self.period_s, t_s);
-        let (offset, sums, converged) = self.find_particle_offset([x_m, z_m], time);
+        let (offset, sums, converged) = self.find_particle_offset([x_m, z_m], time, [0.0; 2], CONVERGED_DISTANCE_M);
         self.surface_sample([x_m, z_m], offset, &sums, converged)
     }
 

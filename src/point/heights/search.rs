@@ -6,7 +6,7 @@ use crate::state::params::MAX_CASCADES;
 use crate::waves::tiling::PatchCopy;
 
 /// Largest distance, m, between displaced particle and requested point at which the search has converged.
-const CONVERGED_DISTANCE_M: f64 = 1e-8;
+pub(super) const CONVERGED_DISTANCE_M: f64 = 1e-8;
 /// Largest number of evaluations of the waves in one search for a water particle. At chop 1 it takes three to five.
 const MAX_EVALUATIONS: usize = 64;
 /// Lower limit of the curvatures (second derivatives) of the function that the search for a water particle minimises by
@@ -31,14 +31,23 @@ impl StrongestWaves {
     ///
     /// A blend of patch copies is a gradient only for fixed weights. So each step uses the weights at its start, and
     /// the weights are updated after the step. Over the length of a displacement they change by a few thousandths.
-    pub(super) fn find_particle_offset(&self, point: [f64; 2], time: u32) -> ([f64; 2], WaveSums, bool) {
+    ///
+    /// The search begins at the offset `start_m` (m), and ends when the displaced particle is within `tolerance_m` (m)
+    /// of the point.
+    pub(super) fn find_particle_offset(
+        &self,
+        point: [f64; 2],
+        time: u32,
+        start_m: [f64; 2],
+        tolerance_m: f64,
+    ) -> ([f64; 2], WaveSums, bool) {
         let sqrt_chop = self.sqrt_chop;
         let offset = |e: [f64; 2]| [sqrt_chop[0] * e[0], sqrt_chop[1] * e[1]];
         let gradient = |e: [f64; 2], at: &WaveSums| {
             [e[0] - sqrt_chop[0] * at.displacement_m[0], e[1] - sqrt_chop[1] * at.displacement_m[1]]
         };
         let value = |e: [f64; 2], at: &WaveSums| 0.5 * dot(e, e) + at.displacement_potential_m2;
-        let mut e = [0.0; 2];
+        let mut e = [0, 1].map(|i| if sqrt_chop[i] > 0.0 { start_m[i] / sqrt_chop[i] } else { 0.0 });
         let mut blends = self.patch_copy_blends(point, offset(e));
         let mut at = self.wave_sums_at(point, offset(e), time, &blends);
         let mut g = gradient(e, &at);
@@ -46,7 +55,7 @@ impl StrongestWaves {
         let mut scale = 1.0;
         for _ in 1..MAX_EVALUATIONS {
             let error = offset(g);
-            if error[0].hypot(error[1]) <= CONVERGED_DISTANCE_M {
+            if error[0].hypot(error[1]) <= tolerance_m {
                 return (offset(e), at, true);
             }
             let next_e = [e[0] + scale * step[0], e[1] + scale * step[1]];
@@ -70,7 +79,7 @@ impl StrongestWaves {
             }
         }
         let error = offset(g);
-        (offset(e), at, error[0].hypot(error[1]) <= CONVERGED_DISTANCE_M)
+        (offset(e), at, error[0].hypot(error[1]) <= tolerance_m)
     }
 
     /// Newton step (x, z), m, of the search for e = offset / `sqrt_chop`, from the gradient `g` of the minimised
