@@ -29,6 +29,8 @@ fn bad_arguments_are_one_line_and_exit_code_2() {
         &["render", "wind=10", "--size", "99999x10"],
         &["stats", "wind=10", "--seeds", "0"],
         &["stats", "wind=10", "--seeds", "many"],
+        &["stats", "wind=10", "--hours", "2"],
+        &["stats", "wind=10", "--crests", "a.csv", "--hours", "25"],
         &["export", "wind=10"],
         &["record", "wind=10", "-o", "a.csv"],
         &["record", "wind=10", "--at", "1", "-o", "a.csv"],
@@ -269,6 +271,35 @@ fn stats_have_the_promised_shape() {
     }
     assert_eq!(json["state"], "wind=10&fetch=100&n=64");
     assert!(json["notices"][0].as_str().expect("a notice").contains("nonsense"));
+}
+
+#[test]
+fn stats_measure_crests() {
+    let file = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("crests.csv");
+    let name = file.to_str().expect("a path");
+    let output = seastate(&["stats", "hs=2&tp=7&n=64", "--crests", name, "--hours", "0.3", "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert!(json["theory"]["skewness"].as_f64() > Some(0.1), "{json}");
+    let crests = &json["crests"];
+    let hundredth = &crests["exceeded"][0];
+    assert_eq!(hundredth["probability"], 0.01);
+    let value = |key: &str| hundredth[key].as_f64().unwrap_or_else(|| panic!("{key}: {json}"));
+    assert!(value("rayleigh_crest_m") < value("forristall_3d_crest_m"));
+    assert!(value("forristall_3d_crest_m") < value("forristall_2d_crest_m"));
+    assert!(value("boccotti_height_m") < value("rayleigh_height_m"));
+    assert!((value("measured_crest_m") / value("forristall_3d_crest_m") - 1.0).abs() < 0.25);
+    let waves = crests["record"]["waves"].as_u64().expect("waves");
+    assert!((100..300).contains(&waves), "{waves}");
+    assert!(crests["groups"]["run_length"].as_f64() > Some(1.0));
+    let table = std::fs::read_to_string(&file).expect("the table");
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(lines[0], "# Seastate hs=2&tp=7&n=64");
+    assert!(lines[1].starts_with("probability,crest (m),trough (m),height (m),"), "{}", lines[1]);
+    let rows: Vec<Vec<f64>> =
+        lines[2..].iter().map(|l| l.split(',').map(|x| x.parse().expect("a number")).collect()).collect();
+    assert!(rows.len() > 90 && rows.iter().all(|row| row.len() == 10), "{table}");
+    assert!(rows.windows(2).all(|pair| pair[0][0] < pair[1][0] && pair[0][1] >= pair[1][1]), "{table}");
 }
 
 #[test]
