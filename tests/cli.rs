@@ -275,7 +275,7 @@ fn stats_have_the_promised_shape() {
 
 #[test]
 fn stats_measure_crests() {
-    let file = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("crests.csv");
+    let file = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("crests.csv");
     let name = file.to_str().expect("a path");
     let output = seastate(&["stats", "hs=2&tp=7&n=64", "--crests", name, "--hours", "0.3", "--json"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
