@@ -557,7 +557,7 @@ fn pictures_to_look_at() {
         ("usual", busy, [1280.0, 720.0], &["Seas", "Views", "Afloat"][..]),
         ("usual-bright", bright, [1280.0, 720.0], &[][..]),
         ("numbers", storm, [1280.0, 900.0], &["More numbers", "Time of a frame", "This program"][..]),
-        ("plots", busy, [1280.0, 900.0], &["Plots", "Directions", "Sea at a buoy", "Cut through the sea"][..]),
+        ("plots", busy, [1280.0, 900.0], &["Plots", "Directions", "Sea at a buoy", "Crests at a buoy"][..]),
         ("phone", bright, [390.0, 844.0], &[][..]),
         ("phone-open", storm, [390.0, 844.0], &["sheet"][..]),
         ("phone-plots", busy, [390.0, 844.0], &["sheet", "Plots"][..]),
