@@ -550,6 +550,7 @@ fn pictures_to_look_at() {
     std::fs::create_dir_all(&folder).expect("a folder");
     let bright = "wind=3&sun=50&sunaz=20&heading=0&n=128&t=30&adaptive=0";
     let busy = "wind=12&n=128&t=30&adaptive=0&afloat=buoy*20*-25_boat*32*-30";
+    let record = "wind=12&n=128&t=30&speed=16&adaptive=0&afloat=buoy*20*-25_boat*32*-30";
     let storm = "wind=28&fetch=600&sun=12&n=128&t=30&adaptive=0";
     for (name, state, size, open) in [
         ("wide", bright, [1920.0, 1080.0], &[][..]),
@@ -557,7 +558,12 @@ fn pictures_to_look_at() {
         ("usual", busy, [1280.0, 720.0], &["Seas", "Views", "Afloat"][..]),
         ("usual-bright", bright, [1280.0, 720.0], &[][..]),
         ("numbers", storm, [1280.0, 900.0], &["More numbers", "Time of a frame", "This program"][..]),
-        ("plots", busy, [1280.0, 900.0], &["Plots", "Directions", "Sea at a buoy", "Crests at a buoy"][..]),
+        (
+            "plots",
+            record,
+            [1280.0, 900.0],
+            &["Plots", "Directions", "Sea at a buoy", "Cut through the sea", "Crests at a buoy"][..],
+        ),
         ("phone", bright, [390.0, 844.0], &[][..]),
         ("phone-open", storm, [390.0, 844.0], &["sheet"][..]),
         ("phone-plots", busy, [390.0, 844.0], &["sheet", "Plots"][..]),

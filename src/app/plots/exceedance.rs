@@ -3,8 +3,9 @@
 use super::super::App;
 use super::{PLOT_COLOURS, PlotTable, fixed_plot};
 use crate::waves::crest_theory::{CrestTheory, EXCEEDANCE_COLUMNS, Weibull, exceedance_table};
-use crate::waves::crests::WaveRecordStatistics;
-use egui_plot::{GridMark, Legend, Line, LineStyle, PlotPoints, Points};
+use crate::waves::crests::{Estimate, WaveRecordStatistics};
+use egui_plot::{GridMark, HoverPosition, Legend, Line, LineStyle, PlotPoints, Points};
+use std::fmt::Write as _;
 
 /// Lowest decimal logarithm of the probability of exceedance in the plot: a record of half an hour has a few hundred
 /// waves.
@@ -21,22 +22,27 @@ fn curve(law: Weibull, factor: f64) -> PlotPoints<'static> {
         .collect()
 }
 
-/// One line about the shape of the record's heights and the groups of its waves, and another with the expected groups.
+/// Text about the shape of the record's heights and, as soon as there are two, the groups of its waves.
 fn shape_and_groups(record: &WaveRecordStatistics, theory: &CrestTheory) -> String {
-    let (moments, groups) = (&record.moments, &record.groups);
-    format!(
-        "{} waves; skewness {:.2} ± {:.2}, kurtosis {:.2} ± {:.2}; waves above Hs in groups of {:.1}, a group every {:.0} \
-         waves (theory {:.1}, {:.0})",
+    let ([skewness, kurtosis], groups) = ([record.moments.skewness, record.moments.kurtosis], &record.groups);
+    let with_error = |e: Estimate| format!("{:.2} ± {:.2}", e.value, e.standard_error);
+    let mut text = format!(
+        "{} waves; skewness {}, kurtosis {}",
         record.crests.count(),
-        moments.skewness.value,
-        moments.skewness.standard_error,
-        moments.kurtosis.value,
-        moments.kurtosis.standard_error,
-        groups.mean_run_length,
-        groups.mean_repeat_length,
-        theory.groups.mean_run_length,
-        theory.groups.mean_repeat_length,
-    )
+        with_error(skewness),
+        with_error(kurtosis)
+    );
+    if groups.mean_repeat_length > 0.0 {
+        let _ = write!(
+            text,
+            "; waves above Hs in groups of {:.1}, a group every {:.0} waves (theory {:.1}, {:.0})",
+            groups.mean_run_length,
+            groups.mean_repeat_length,
+            theory.groups.mean_run_length,
+            theory.groups.mean_repeat_length,
+        );
+    }
+    text
 }
 
 /// Plots the exceedance of crests and heights in the record (at the first floating object or below the camera) with the
@@ -53,6 +59,15 @@ pub fn show_exceedance_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
         .include_y(LOWEST_LOG_PROBABILITY)
         .include_y(0.0)
         .include_x(0.0)
+        .label_formatter(|pointed| match pointed {
+            HoverPosition::NearDataPoint { plot_name, position, .. } => Some(format!(
+                "{plot_name}\n{:.2} {}\nprobability {:.2e}",
+                position.x,
+                scale.unit,
+                10f64.powf(position.y)
+            )),
+            HoverPosition::Elsewhere { .. } => None,
+        })
         .y_grid_spacer(|_| (-3..=0).map(|i| GridMark { value: f64::from(i), step_size: 1.0 }).collect())
         .y_axis_formatter(|mark, _| format!("{}", 10f64.powf(mark.value)));
     plot.show(ui, |plot| {
