@@ -13,6 +13,7 @@
 
 use super::grid::{Grid, Records};
 use crate::files::measured::list::SpectrumList;
+use crate::files::measured::text::printable_prefix;
 use crate::files::netcdf::{Attribute, Dataset, Variable};
 
 /// First frequency of ECMWF's spectra, Hz, and ratio of two neighbouring ones.
@@ -32,7 +33,8 @@ struct Density<'a> {
 
 /// Reads all spectra of the file called `name`.
 pub(super) fn read(name: &str, bytes: &[u8]) -> Result<SpectrumList, String> {
-    let fault = |what: String| format!("{name}: {what}");
+    // Names in the file may hold line breaks.
+    let fault = |what: String| format!("{name}: {}", printable_prefix(&what, 400));
     let file = Dataset::open(bytes).map_err(fault)?;
     let records = read_records(&file).map_err(fault)?;
     SpectrumList::new(name, records.records, records.skipped)

@@ -8,6 +8,7 @@ use super::grid::Records;
 use crate::files::measured::direction::{DirectionalParameters, fill_missing_directions};
 use crate::files::measured::list::SpectrumList;
 use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum};
+use crate::files::measured::text::printable_prefix;
 use serde_json::{Map, Value};
 
 /// Largest JSON file that is read, bytes: its values take some ten times as much memory.
@@ -20,7 +21,8 @@ pub(super) fn is_json(bytes: &[u8]) -> bool {
 
 /// Reads all spectra of the file called `name`.
 pub(super) fn read(name: &str, bytes: &[u8]) -> Result<SpectrumList, String> {
-    let fault = |what: String| format!("{name}: {what}");
+    // Times in the file may hold line breaks.
+    let fault = |what: String| format!("{name}: {}", printable_prefix(&what, 400));
     if bytes.len() > MAX_JSON_BYTES {
         return Err(fault(format!("JSON larger than {} MiB: keep fewer times in it", MAX_JSON_BYTES >> 20)));
     }
