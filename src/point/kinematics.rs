@@ -133,8 +133,9 @@ mod tests {
     use crate::point::StrongestWaves;
     use crate::state::query;
 
+    /// The motion is that of linear theory, so the sea is of first order.
     fn plan(state: &str) -> Plan {
-        Plan::new(&query::parse(state).0)
+        Plan::new(&query::parse(&format!("{state}&order=1")).0)
     }
 
     #[test]
