@@ -114,16 +114,16 @@ impl WaveSystem {
                 directions.iter().map(|[x, z]| mem.density(z.atan2(*x))).collect()
             }
             DirectionalDistribution::Lobes(at) => {
-                let panels = self.spreading.spreading_norm_panels;
-                let norms: Vec<f64> =
-                    at.lobes.iter().map(|(share, lobe)| share * lobe.normalising_factor(panels)).collect();
-                let density = |k: &[f64; 2]| {
-                    let theta = angle_from_travel(self.travel_direction, *k);
-                    let lobes = at.lobes.iter().zip(&norms);
-                    let sum: f64 = lobes.map(|((_, lobe), norm)| norm * lobe.unnormalised_density(theta)).sum();
-                    sum + at.isotropic_fraction / TAU
-                };
-                directions.iter().map(density).collect()
+                // Each lobe is normalised over the directions: the quadrature of its norm would take too long.
+                let mut out = vec![at.isotropic_fraction / directions.len() as f64; directions.len()];
+                let angles: Vec<f64> =
+                    directions.iter().map(|k| angle_from_travel(self.travel_direction, *k)).collect();
+                for (share, lobe) in &at.lobes {
+                    let densities: Vec<f64> = angles.iter().map(|theta| lobe.unnormalised_density(*theta)).collect();
+                    let scale = share / densities.iter().sum::<f64>().max(f64::MIN_POSITIVE);
+                    out.iter_mut().zip(&densities).for_each(|(out, density)| *out += scale * density);
+                }
+                out
             }
         }
     }
