@@ -340,6 +340,9 @@ fn maps_are_finite_at_the_corners_of_every_range() {
 fn maps_are_finite_in_two_thousand_random_states() {
     let mut probe = Probe::new();
     for i in 0..2000u32 {
-        probe.assert_finite(&common::random_params("n=64", i));
+        let mut params = common::random_params("n=64", i);
+        // The corners above take the finest quadrature, which would be most of the time here.
+        params.sea.spreading_norm_panels = params.sea.spreading_norm_panels.min(4);
+        probe.assert_finite(&params);
     }
 }
