@@ -5,13 +5,14 @@ mod common;
 
 use common::{gpu, params, travelling_east};
 use seastate::gpu::Gpu;
-use seastate::lab::ensemble::{mean_sd_skewness_kurtosis, visit_surface_points};
+use seastate::lab::ensemble::visit_surface_points;
 use seastate::oracle::surface::bound_height_m;
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::state::Params;
 use seastate::waves::dispersion::Dispersion;
 use seastate::waves::second_order::{InteractionKernels, expected_skewness};
+use seastate::waves::statistics::mean_sd_skewness_kurtosis;
 use seastate::waves::{Plan, noise};
 use std::f64::consts::TAU;
 

@@ -45,10 +45,8 @@ fn fragment(in: SurfaceFragment) -> @location(0) vec4f {
   let edges = vec3f(in.lattice, in.lattice.x + in.lattice.y);
   let width = fwidth(edges);
   let tile = view.tiles[0];
-  let drop_m = dot(in.position.xz, in.position.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
-  let sideways = in.position.xz - at;
-  let moved = vec3f(sideways.x, in.position.y + frame.eye_height_m + drop_m, sideways.y);
-  let slope = water_slope(at, moved, foot);
+  let point = WaterPoint(in.position, at, water_height_m(in.position));
+  let slope = water_slope(at, water_moved(point), foot);
   switch view.view_kind {
     case 1u: {
       let n = water_normal(slope.mean);

@@ -55,8 +55,8 @@ fn lean_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: LeanFootp
   }
 }
 
-// Slope statistics within a footprint at an undisplaced position, with the slopes `carried` that the mesh holds there. The
-// waves have moved the water by `moved`, m.
+// Slope statistics within a footprint at an undisplaced position, with the slopes `carried` that the mesh holds there.
+// The waves have moved the water by `moved`, m.
 fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDerivatives) -> WaterSlope {
   var waves: WaterSlopeSums;
   waves.sums = carried;
@@ -78,7 +78,8 @@ fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDeriva
   let sides = 1.0 + frame.choppiness * sums.stretch;
   let jacobian = water_jacobian(sums, sides);
   var out: WaterSlope;
-  out.mean = water_slope_displaced(sums.slope + water_bound_slope(sums, moved), sums, sides) * (1.0 / max(jacobian, 0.25));
+  let slope = sums.slope + water_bound_slope(sums, moved);
+  out.mean = water_slope_displaced(slope, sums, sides) * (1.0 / max(jacobian, 0.25));
   out.mean = clamp(out.mean, vec2f(-1.2), vec2f(1.2));
   out.variance = waves.variance;
   out.jacobian = jacobian;

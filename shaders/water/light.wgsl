@@ -80,11 +80,6 @@ fn water_position(ray: vec3f, pixel: vec2i) -> vec3f {
   return ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
 }
 
-// Height of the wave at a position relative to the eye, m, on the spherical Earth.
-fn water_height_m(place: vec3f) -> f32 {
-  return place.y + frame.eye_height_m + dot(place.xz, place.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
-}
-
 @fragment
 fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);

@@ -27,6 +27,11 @@ struct WaterPoint {
   height: f32,
 }
 
+// Height of the wave at a position relative to the eye, m, on the spherical Earth.
+fn water_height_m(place: vec3f) -> f32 {
+  return place.y + frame.eye_height_m + dot(place.xz, place.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
+}
+
 // Distance, m, by which the waves have moved the water at a point.
 fn water_moved(point: WaterPoint) -> vec3f {
   let sideways = point.position.xz - point.undisplaced;

@@ -171,7 +171,7 @@ fn seed_statistics(
     visit_surface_points(plan, now, &mut |eta, weight| {
         sums.iter_mut().zip(0..).for_each(|(sum, power)| *sum += weight * eta.powi(power));
     });
-    let [_, _, skewness, kurtosis] = mean_sd_skewness_kurtosis(sums);
+    let [_, _, skewness, kurtosis] = statistics::mean_sd_skewness_kurtosis(sums);
     SeedStatistics { variance, mean, mss, skewness, kurtosis, travelling, parseval_error }
 }
 
@@ -245,19 +245,6 @@ pub fn visit_surface_points(plan: &Plan, maps: &MapsF32, visit: &mut dyn FnMut(f
         eta += bound_height_m(&displacements, &bound);
         visit(eta, displacement_jacobian([strain[0], strain[1], strain[2], strain[2]], plan.sea.choppiness_xz()));
     }
-}
-
-/// Mean, standard deviation, skewness and kurtosis (3 for a Gaussian) of a distribution. `sums` holds the weighted sums
-/// of the powers 0 to 4 of its values. Without variance all results but the mean are 0.
-pub fn mean_sd_skewness_kurtosis(sums: [f64; 5]) -> [f64; 4] {
-    let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
-    let variance = m2 - m1 * m1;
-    if variance <= 0.0 {
-        return [m1, 0.0, 0.0, 0.0];
-    }
-    let third = m3 - 3.0 * m1 * m2 + 2.0 * m1.powi(3);
-    let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1.powi(4);
-    [m1, variance.sqrt(), third / variance.powf(1.5), fourth / (variance * variance)]
 }
 
 /// Mean foam coverage (0 to 1) over all cells of all foam levels at time `t_s`, s. Computes the foam steps before that

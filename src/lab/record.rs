@@ -38,7 +38,7 @@ impl RecordFormat {
     }
 }
 
-/// What is recorded.
+/// Points, length and sampling rate of a record of the sea.
 #[derive(Clone, Debug)]
 pub struct RecordSettings {
     /// Points: metres to the east and to the north, and the height from the still water; `None` for the surface.

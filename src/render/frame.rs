@@ -40,7 +40,8 @@ gpu_struct! {
         /// Factors p and q, 1/m, on products of two elevations and of two horizontal displacements of this cascade, in
         /// the height of the bound waves (src/waves/second_order.rs).
         pub bound_own: [f32; 2],
-        /// The same factors for products of a wave of this cascade with one of a finer cascade, 1/m.
+        /// Factors p and q, 1/m, on products of a wave of this cascade with a wave of a finer cascade, in the height of
+        /// the bound waves.
         pub bound_with_shorter: [f32; 2],
         /// Texture coordinates (u along x, v along z), in the cascade's maps, of the point straight below the eye.
         pub uv_below_eye: [f32; 2],

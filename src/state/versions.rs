@@ -25,7 +25,7 @@ pub(super) const VERSION_STEPS: &[VersionStep] = &[with_values_before_version_2]
 /// can matter for the sea of a string with the given pairs.
 type ValueBefore = (&'static str, &'static str, fn(&KeyValuePairs<'_>) -> bool);
 
-/// What strings of version 1 mean by the absence of a key, where version 2 means something else.
+/// Keys whose default value changed with version 2, each with its default value before.
 const VALUES_BEFORE_VERSION_2: &[ValueBefore] =
     &[("depthlimit", "none", has_spectrum_for_deep_water_in_shallow_water), ("order", "1", names_a_parameter)];
 

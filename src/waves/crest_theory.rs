@@ -55,7 +55,7 @@ pub fn forristall_alpha_beta(steepness: f64, ursell: f64) -> [[f64; 2]; 2] {
     [long_crested, spread].map(|[alpha, beta]| [alpha, beta.max(MIN_BETA)])
 }
 
-/// What theory expects of the crests, heights and groups in a sea.
+/// Parameters of a sea from which theory predicts the distributions of its crests and heights, and its wave groups.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CrestTheory {
     /// Significant wave height, m.

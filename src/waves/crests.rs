@@ -1,6 +1,7 @@
 //! Crests, troughs, heights, moments and groups of the waves in a record: heights of the surface at one point at equal
 //! steps of time. `crest_theory` has the distributions that theory expects.
 
+use super::statistics::mean_sd_skewness_kurtosis;
 use std::ops::Range;
 
 /// Number of blocks of equal length into which a record is divided to estimate the errors of its moments.
@@ -139,7 +140,9 @@ impl RecordMoments {
             .collect();
         let shape_without = |left_out: Option<usize>| {
             let kept = sums.iter().enumerate().filter(|(i, _)| Some(*i) != left_out);
-            shape(kept.fold([0.0; 5], |total, (_, sums)| std::array::from_fn(|p| total[p] + sums[p])))
+            mean_sd_skewness_kurtosis(
+                kept.fold([0.0; 5], |total, (_, sums)| std::array::from_fn(|p| total[p] + sums[p])),
+            )
         };
         let [mean, sd, ..] = shape_without(None);
         let estimate = |which: usize| {
@@ -151,18 +154,6 @@ impl RecordMoments {
         };
         (sd > 0.0).then(|| Self { mean_m: reference + mean, sd_m: sd, skewness: estimate(2), kurtosis: estimate(3) })
     }
-}
-
-/// Mean, standard deviation, skewness and kurtosis from sums of the powers 0 to 4; zeros without variance.
-fn shape(sums: [f64; 5]) -> [f64; 4] {
-    let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
-    let variance = m2 - m1 * m1;
-    if variance <= 0.0 {
-        return [m1, 0.0, 0.0, 0.0];
-    }
-    let third = m3 - 3.0 * m1 * m2 + 2.0 * m1.powi(3);
-    let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1.powi(4);
-    [m1, variance.sqrt(), third / variance.powf(1.5), fourth / variance.powi(2)]
 }
 
 /// Groups of high waves: runs of successive waves that are all higher than a threshold.

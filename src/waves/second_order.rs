@@ -363,7 +363,7 @@ fn fit<'a, I: Iterator<Item = &'a Node>>(
                     continue;
                 }
                 let kernels = InteractionKernels::new(dispersion, [a.k, b.k], cos);
-                // What sideways motion adds to the waves of sum and difference at second order.
+                // The horizontal displacement alone has the kernels -moved (difference) and +moved (sum).
                 let moved = cos * (wide_a * b.k + wide_b * a.k);
                 let (difference, sum) = (kernels.difference + moved, kernels.sum - moved);
                 let (weight, tilt) = (pair * weight, wide_a * wide_b * cos);

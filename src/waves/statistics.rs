@@ -285,6 +285,19 @@ fn refined_peak(s: impl Fn(f64) -> f64, near: f64) -> f64 {
     0.5 * (a + b)
 }
 
+/// Mean, standard deviation, skewness and kurtosis (3 for a Gaussian) of a distribution. `sums` holds the weighted sums
+/// of the powers 0 to 4 of its values. Without variance all results but the mean are 0.
+pub fn mean_sd_skewness_kurtosis(sums: [f64; 5]) -> [f64; 4] {
+    let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| sums[p] / sums[0]);
+    let variance = m2 - m1 * m1;
+    if variance <= 0.0 {
+        return [m1, 0.0, 0.0, 0.0];
+    }
+    let third = m3 - 3.0 * m1 * m2 + 2.0 * m1.powi(3);
+    let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1.powi(4);
+    [m1, variance.sqrt(), third / variance.powf(1.5), fourth / (variance * variance)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,12 +2,13 @@
 
 use super::cells::{absolute_deviation, format_estimate, format_number};
 use super::measurement::{MeasurementSetup, parse_params, visit_expected_waves};
-use crate::lab::ensemble::{mean_sd_skewness_kurtosis, visit_surface_points};
+use crate::lab::ensemble::visit_surface_points;
 use crate::lab::estimate::EstimateWithError;
 use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData, sample_curve};
 use crate::lab::page::MarkdownPage;
 use crate::waves::Plan;
 use crate::waves::second_order::expected_skewness;
+use crate::waves::statistics::mean_sd_skewness_kurtosis;
 use std::f64::consts::TAU;
 
 const SEA_STATE_STRING: &str = "wind=15&fetch=300&n=128";

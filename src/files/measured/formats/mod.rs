@@ -79,7 +79,8 @@ impl MeasuredSpectrum {
     /// - spectral files of SWAN, with and without directions, and point spectra of WAVEWATCH III as text;
     /// - with the feature `files`: spectra over frequency and direction in NetCDF files, and JSON of Spotter buoys.
     ///
-    /// Of NDBC files the newest record with a complete variance density is used, with the directions of the same time.
+    /// An NDBC file has many records. The newest one whose variance densities are complete is used, with the directions
+    /// of the same time.
     ///
     /// # Errors
     /// One sentence with file, line and reason for the first malformed entry of any record.

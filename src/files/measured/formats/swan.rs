@@ -23,7 +23,7 @@ struct Quantity<'a> {
     exception: f64,
 }
 
-/// What the header says.
+/// The header of a SWAN spectral file: which times, places, frequencies and directions the spectra have.
 #[derive(Default)]
 struct Header<'a> {
     has_times: bool,
