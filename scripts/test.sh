@@ -59,6 +59,8 @@ cpu() {
   for test in "${CPU_TESTS[@]}"; do targets+=(--test "$test"); done
   cargo test --locked --no-fail-fast "${targets[@]}"
 }
+# A test of the command line builds the program with the features of the other tests, so that nothing is built twice.
+build_program() { cargo test --locked --no-run --test cli; }
 passes() { cargo test --locked --test passes; }
 # The Python package wavespectra reads what Seastate writes, and the other way round. Skipped without Python or network.
 wavespectra() {
@@ -71,13 +73,12 @@ wavespectra() {
     fi
     cp "$wanted" "$folder/requirements.txt"
   fi
-  cargo build --locked && "$folder/bin/python" tests/wavespectra/third_opinion.py "${CARGO_TARGET_DIR:-target}/debug/seastate"
+  build_program && "$folder/bin/python" tests/wavespectra/third_opinion.py "${CARGO_TARGET_DIR:-target}/debug/seastate"
 }
 # One test at a time: two displays that start together may choose the same number.
 window() { cargo test --locked --test window -- --ignored --test-threads 1; }
 page() { build_page && ls -l dist; }
-# A test of the command line builds the program with the features of the other tests, so that nothing is built twice.
-browsers() { cargo test --locked --no-run --test cli && (cd web/tests && node run.mjs); }
+browsers() { build_program && (cd web/tests && node run.mjs); }
 # A debug build of the page takes a fraction of the time.
 smoke() {
   local dist=${CARGO_TARGET_DIR:-$PWD/target}/quick-page

@@ -43,7 +43,7 @@ pub struct ParsedState {
 /// ```
 /// use seastate::state::query;
 ///
-/// let (params, notices) = query::parse("?wind=14&fetch=300&unknown=1");
+/// let (params, notices) = query::parse("wind=14&fetch=300&unknown=1");
 /// assert_eq!(notices.len(), 1);
 /// assert_eq!(query::write(&params), "wind=14&fetch=300");
 /// ```

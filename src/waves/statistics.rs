@@ -117,9 +117,12 @@ impl SpectrumStatistics {
         let [m0_resolved, m1, m2] = [0, 1, 2].map(|power| resolved(&|w| w.powi(power) * s(w)));
         let mss = resolved(&|w| s(w) * dispersion.wave_number(w).powi(2));
         let first_moment = [0, 1].map(|axis| {
-            let moment =
-                |w: f64| plan.systems.iter().map(|s| s.spectrum.density(w) * s.first_moment(w)[axis]).sum::<f64>();
-            integral(&moment, low, high, 1e-5) / m0
+            // One is added to the moment, so that the error is relative to m0: where all waves travel along the other
+            // axis, an error relative to the moment itself could never be reached.
+            let moment = |w: f64| {
+                plan.systems.iter().map(|s| s.spectrum.density(w) * (1.0 + s.first_moment(w)[axis])).sum::<f64>()
+            };
+            integral(&moment, low, high, 1e-5) / m0 - 1.0
         });
         let r1 = first_moment[0].hypot(first_moment[1]);
         let omega_p = refined_peak(s, plan.omega_p);
