@@ -75,20 +75,14 @@ fn integrate_by_bisection(
         + integrate_by_bisection(f, [mid, b], 0.5 * allowed, floor, depth - 1, left)
 }
 
-/// Integral of a smooth `f` from the first to the last of `knots` (ascending) by the 15-point Kronrod rule. An interval
-/// between neighbouring knots is one panel if that adds nothing but rounding to the error of the whole integral, and
-/// `count` equal panels otherwise.
+/// Integral of a smooth `f` from the first to the last of `knots` (ascending) by the 15-point Kronrod rule. Each interval
+/// between neighbouring knots is bisected where the rule is not exact to rounding, down to panels of its `count`-th part.
 pub fn integrate_panels(f: impl Fn(f64) -> f64, knots: &[f64], count: u32) -> f64 {
-    let whole: Vec<_> = knots.windows(2).map(|w| gauss_kronrod(&f, w[0], w[1])).collect();
-    let exact = EXACT_PANEL_DIFFERENCE * whole.iter().map(|(value, _)| value.abs()).sum::<f64>();
-    let piece = |(w, &(value, difference)): (&[f64], &(f64, f64))| {
-        if count == 1 || difference <= exact {
-            return value;
-        }
-        let step = (w[1] - w[0]) / f64::from(count);
-        (0..count).map(|i| gauss_kronrod(&f, w[0] + f64::from(i) * step, w[0] + f64::from(i + 1) * step).0).sum()
-    };
-    knots.windows(2).zip(&whole).map(piece).sum()
+    let rough: f64 = knots.windows(2).map(|w| gauss_kronrod(&f, w[0], w[1]).0.abs()).sum();
+    let exact = EXACT_PANEL_DIFFERENCE * rough;
+    let depth = count.next_power_of_two().ilog2();
+    let mut left = MAX_INTERVALS;
+    knots.windows(2).map(|w| integrate_by_bisection(&f, [w[0], w[1]], exact, exact, depth, &mut left)).sum()
 }
 
 #[cfg(test)]
