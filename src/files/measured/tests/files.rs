@@ -62,7 +62,7 @@ fn the_newest_complete_record_counts() {
                     2026-11-21 06:00 UTC is used";
         assert_eq!(notices, [want]);
         let none = message("a", &rows(bad, bad));
-        let want = "no record has a complete variance density with waves in it: choose other files of the buoy";
+        let want = "a: no record has a complete variance density with waves in it: choose other files of the buoy";
         assert_eq!(none, want);
     }
 }

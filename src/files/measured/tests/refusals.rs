@@ -84,7 +84,7 @@ fn malformed_buoy_files_say_where_and_why() {
     }
     assert_eq!(
         message("b", SPEC),
-        "the files hold no variance density: add the buoy's raw spectral wave data from the NDBC (.data_spec)"
+        "b: no variance density: add the buoy's raw spectral wave data from the NDBC (.data_spec)"
     );
     let unknown = format!("{BANDS}2026 11 21 06 00 1 2 3\n{BANDS}2026 11 21 06 00 4 5 6\n");
     let what = "neither the file name nor a comment says what this section holds: \

@@ -86,9 +86,8 @@ fn newest_density<'s, 'a>(
     let mut records: Vec<_> = densities.flat_map(|s| s.records.iter().map(move |r| (s, r))).collect();
     records.sort_by_key(|(_, record)| Reverse(&record.time));
     let Some(newest) = records.first().map(|(_, record)| &record.time) else {
-        return Err("the files hold no variance density: \
-                    add the buoy's raw spectral wave data from the NDBC (.data_spec)"
-            .into());
+        let what = "no variance density: add the buoy's raw spectral wave data from the NDBC (.data_spec)";
+        return Err(files_error(sections, what));
     };
     for (section, record) in records {
         let bands: Option<Vec<(f64, f64)>> =
@@ -102,7 +101,15 @@ fn newest_density<'s, 'a>(
         }
         return Ok((section, record, bands));
     }
-    Err("no record has a complete variance density with waves in it: choose other files of the buoy".into())
+    let what = "no record has a complete variance density with waves in it: choose other files of the buoy";
+    Err(files_error(sections, what))
+}
+
+/// Makes an error message about the files of all sections together; `what` says what is wrong with them.
+fn files_error(sections: &[Section<'_>], what: &str) -> String {
+    let mut names: Vec<_> = sections.iter().map(|s| s.file.name.as_str()).collect();
+    names.dedup();
+    format!("{}: {what}", names.join(", "))
 }
 
 /// Directional parameters of each of `bands` (the variance density) at a given time. Returns None if one of the four
