@@ -136,6 +136,8 @@ pub struct PictureContents {
     pub vertices: f64,
     /// Size of all displacement maps with mip levels, bytes. Gradient maps together count as much, so do slope moments.
     pub map_bytes: f64,
+    /// Cost per sea pixel of the light's shader: [`LIGHT_FRAGMENT_COST`] or [`LEAN_LIGHT_FRAGMENT_COST`].
+    pub light: ShaderCost,
 }
 
 impl PictureContents {
@@ -153,7 +155,7 @@ impl PictureContents {
     /// light (8). The maps (displacement, gradients, slope moments) are read once.
     pub fn light_cost(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
-        Cost::of_bytes(32.0 * seen + 3.0 * self.map_bytes) + Cost::of_shader(&LIGHT_FRAGMENT_COST, seen)
+        Cost::of_bytes(32.0 * seen + 3.0 * self.map_bytes) + Cost::of_shader(&self.light, seen)
     }
 
     /// Minimum cost of drawing and lighting the sea mesh.

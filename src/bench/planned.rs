@@ -33,8 +33,15 @@ impl FrameWork {
             sea_fraction: (0.5 + 0.5 * horizon).clamp(0.0, 1.0),
             vertices: f64::from(vertices),
             map_bytes: texels * f64::from(maps.format.bytes_per_texel()),
+            light: cost::LIGHT_FRAGMENT_COST,
         };
         Self { size, maps, picture }
+    }
+
+    /// The same frame in the lean tier of the light.
+    pub fn lean(mut self) -> Self {
+        self.picture.light = cost::LEAN_LIGHT_FRAGMENT_COST;
+        self
     }
 
     /// Work of a frame of `params` on a GPU, whose maps are of half floats.
@@ -87,7 +94,9 @@ impl fmt::Display for Budget<'_> {
                 1e-6 * work.picture.vertices
             )?;
             writeln!(f, "{:<12} {:>20} {:>14} {:>8}", "pass", "million operations", "million reads", "MB")?;
-            for (pass, cost) in work.passes().into_iter().chain([("frame", work.cost())]) {
+            for (pass, cost) in
+                work.passes().into_iter().chain([("frame", work.cost()), ("lean frame", work.lean().cost())])
+            {
                 let [ops, reads, bytes] = [cost.flops, cost.reads, cost.bytes].map(|n| 1e-6 * n);
                 writeln!(f, "{pass:<12} {ops:>20.0} {reads:>14.1} {bytes:>8.0}")?;
             }
@@ -95,15 +104,16 @@ impl fmt::Display for Budget<'_> {
         }
         write!(f, "{:<12}", "predicted ms")?;
         self.sizes.iter().try_for_each(|[width, height]| write!(f, " {:>11}", format!("{width}x{height}")))?;
-        writeln!(f, "  usual size")?;
+        writeln!(f, "  usual size, full and lean")?;
         for gpu in &GPU_CLASSES {
             write!(f, "{:<12}", gpu.name)?;
             for &size in self.sizes {
                 write!(f, " {:>11.1}", gpu.predicted_ms(&FrameWork::planned(self.params, size).cost()))?;
             }
             let [width, height] = gpu.picture_px;
-            let usual = gpu.predicted_ms(&FrameWork::planned(self.params, gpu.picture_px).cost());
-            writeln!(f, "  {usual:.1} at {width}x{height}")?;
+            let usual = FrameWork::planned(self.params, gpu.picture_px);
+            let [full, lean] = [usual, usual.lean()].map(|work| gpu.predicted_ms(&work.cost()));
+            writeln!(f, "  {full:.1} and {lean:.1} at {width}x{height}")?;
         }
         write!(f, "{Assumptions}")
     }
@@ -119,6 +129,7 @@ mod tests {
         let work = FrameWork::planned(&params, [1920, 1080]);
         assert!(work.passes().iter().all(|(_, cost)| cost.flops > 1e6 && cost.bytes > 1e6));
         let whole = work.cost();
+        assert!(work.lean().cost().flops < 0.65 * whole.flops);
         assert!(whole.flops <= 6.0e9 && whole.reads <= 60e6, "the budget of the default frame: {whole:?}");
         let text = Budget { params: &params, sizes: &[[1920, 1080]] }.to_string();
         assert!(GPU_CLASSES.iter().all(|gpu| text.contains(gpu.name)), "{text}");

@@ -312,8 +312,9 @@ impl Gpu {
     }
 }
 
-/// A compute pipeline whose shader uses one bind group (group 0), with the layout of that bind group.
-#[derive(Debug)]
+/// A compute pipeline whose shader uses one bind group (group 0), with the layout of that bind group. A clone is the same
+/// pipeline: nothing is compiled again.
+#[derive(Clone, Debug)]
 pub struct Kernel {
     label: &'static str,
     pipeline: wgpu::ComputePipeline,

@@ -128,13 +128,21 @@ impl MipsPass {
         let bindings: Vec<BindingType> =
             [SimulationUniforms::SEA_BINDING, BindingType::TextureArray].into_iter().chain(written).collect();
         let placeholder_view = array_view(&create_array_texture(gpu, "placeholder", [1; 3], 1, r.format), None);
+        let mut compiled: Vec<(Vec<(&str, f64)>, Kernel)> = Vec::new();
         let steps = (0..r.mip_level_count() - 1).step_by(levels_per_dispatch as usize).map(|source_level| {
             let levels = levels_per_dispatch.min(r.mip_level_count() - 1 - source_level);
             let mut constants = vec![("READS_LEVEL_0", f64::from(u8::from(source_level == 0)))];
             if implementation == FftImplementation::Workgroup {
                 constants.push(("LEVELS_WRITTEN", f64::from(levels)));
             }
-            let kernel = Kernel::new(gpu, "sea/mips", (&module, "main"), &bindings, &constants);
+            let kernel = match compiled.iter().find(|(with, _)| *with == constants) {
+                Some((_, kernel)) => kernel.clone(),
+                None => {
+                    let kernel = Kernel::new(gpu, "sea/mips", (&module, "main"), &bindings, &constants);
+                    compiled.push((constants, kernel.clone()));
+                    kernel
+                }
+            };
             let group = Self::create_bind_group(
                 gpu,
                 &kernel,

@@ -69,6 +69,11 @@ impl TablePass {
         Self { kernel, group, workgroups }
     }
 
+    /// Makes a pass with the pipeline of this one, for other resources of the same types.
+    fn with_resources(&self, gpu: &Gpu, resources: &[wgpu::BindingResource<'_>], workgroups: [u32; 3]) -> Self {
+        Self { kernel: self.kernel.clone(), group: self.kernel.bind(gpu, resources), workgroups }
+    }
+
     fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
         self.kernel.run(encoder, timer.compute_pass("sky tables"), &self.group, &[], self.workgroups);
     }
@@ -201,12 +206,20 @@ impl SkyTables {
             workgroups(ENVIRONMENT_SIZE),
         );
         let filter = shaders.module(gpu, "sky/filter");
-        let filters = (1..ENVIRONMENT_MIP_LEVELS).map(|level| {
-            let (from, to) = (mip_view(surroundings, level - 1), mip_view(surroundings, level));
-            let bindings = [(BindingType::Texture, TextureView(&from)), (image, TextureView(&to))];
-            let size = ENVIRONMENT_SIZE.map(|side| side >> level);
-            TablePass::new(gpu, "sky/filter", (&filter, "main"), &bindings, workgroups(size))
-        });
+        let mut filters: Vec<TablePass> = Vec::new();
+        for level in 1..ENVIRONMENT_MIP_LEVELS {
+            let [from, to] = [level - 1, level].map(|i| mip_view(surroundings, i));
+            let resources = [TextureView(&from), TextureView(&to)];
+            let workgroups = workgroups(ENVIRONMENT_SIZE.map(|side| side >> level));
+            filters.push(match filters.first() {
+                Some(first) => first.with_resources(gpu, &resources, workgroups),
+                None => {
+                    let [from, to] = resources;
+                    let bindings = [(BindingType::Texture, from), (image, to)];
+                    TablePass::new(gpu, "sky/filter", (&filter, "main"), &bindings, workgroups)
+                }
+            });
+        }
         let [width, height, layers] = MIRRORED_SIZE;
         let mirrored = TablePass::new(
             gpu,
