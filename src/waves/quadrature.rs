@@ -24,6 +24,9 @@ const MAX_INTERVALS: u32 = 20_000;
 /// Kronrod rule's own error is then near (200 x 1e-11)^1.5 = 1e-13 (Piessens et al. 1983, QUADPACK).
 const EXACT_PANEL_DIFFERENCE: f64 = 1e-11;
 
+/// Rounding error of an adaptive integral, relative to the integral's magnitude.
+const ROUNDING: f64 = 1e-15;
+
 /// Returns the integral of `f` over [a, b] by the Kronrod rule, and its difference from the Gauss rule as error
 /// estimate.
 fn gauss_kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
@@ -44,45 +47,49 @@ fn gauss_kronrod(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
 ///
 /// `knots` holds at least two points in ascending order, among them all points where `f` is not smooth.
 pub fn integrate_adaptive(f: impl Fn(f64) -> f64, knots: &[f64], tolerance: f64) -> f64 {
-    let rough: f64 = knots.windows(2).map(|w| gauss_kronrod(&f, w[0], w[1]).0.abs()).sum();
-    let floor = 1e-15 * rough;
-    let allowed = tolerance * rough.max(f64::MIN_POSITIVE);
-    let mut left = MAX_INTERVALS;
-    knots
-        .windows(2)
-        .map(|w| integrate_by_bisection(&f, [w[0], w[1]], allowed, floor, MAX_BISECTION_DEPTH, &mut left))
-        .sum()
-}
-
-/// Integral of `f` over [a, b] by recursive bisection. An interval is accepted if its error is at most `allowed`
-/// (halved in each half) or `floor` (the rounding error of the whole integral), after `depth` bisections, or when
-/// `left`, the number of intervals that may still be evaluated, has been counted down to 0.
-fn integrate_by_bisection(
-    f: &impl Fn(f64) -> f64,
-    [a, b]: [f64; 2],
-    allowed: f64,
-    floor: f64,
-    depth: u32,
-    left: &mut u32,
-) -> f64 {
-    let (value, error) = gauss_kronrod(f, a, b);
-    *left = left.saturating_sub(1);
-    if error <= allowed.max(floor) || depth == 0 || *left == 0 {
-        return value;
-    }
-    let mid = 0.5 * (a + b);
-    integrate_by_bisection(f, [a, mid], 0.5 * allowed, floor, depth - 1, left)
-        + integrate_by_bisection(f, [mid, b], 0.5 * allowed, floor, depth - 1, left)
+    integrate_between_knots(&f, knots, (tolerance, ROUNDING), MAX_BISECTION_DEPTH)
 }
 
 /// Integral of a smooth `f` from the first to the last of `knots` (ascending) by the 15-point Kronrod rule. Each interval
 /// between neighbouring knots is bisected where the rule is not exact to rounding, down to panels of its `count`-th part.
 pub fn integrate_panels(f: impl Fn(f64) -> f64, knots: &[f64], count: u32) -> f64 {
-    let rough: f64 = knots.windows(2).map(|w| gauss_kronrod(&f, w[0], w[1]).0.abs()).sum();
-    let exact = EXACT_PANEL_DIFFERENCE * rough;
     let depth = count.next_power_of_two().ilog2();
+    integrate_between_knots(&f, knots, (EXACT_PANEL_DIFFERENCE, EXACT_PANEL_DIFFERENCE), depth)
+}
+
+/// Integral of `f` from the first to the last of `knots`, with at most `depth` bisections in succession. The two
+/// tolerances are relative to the sum of the magnitudes of the integrals between neighbouring knots: the error that is
+/// allowed between two knots, shared by the halves of an interval, and the error below which no interval is bisected.
+fn integrate_between_knots(f: &impl Fn(f64) -> f64, knots: &[f64], (tolerance, floor): (f64, f64), depth: u32) -> f64 {
+    let rough: Vec<_> = knots.windows(2).map(|w| gauss_kronrod(f, w[0], w[1])).collect();
+    let magnitude = rough.iter().map(|(value, _)| value.abs()).sum::<f64>().max(f64::MIN_POSITIVE);
     let mut left = MAX_INTERVALS;
-    knots.windows(2).map(|w| integrate_by_bisection(&f, [w[0], w[1]], exact, exact, depth, &mut left)).sum()
+    let piece = |(w, &estimate): (&[f64], &(f64, f64))| {
+        refine(f, [w[0], w[1]], estimate, (tolerance * magnitude, floor * magnitude), depth, &mut left)
+    };
+    knots.windows(2).zip(&rough).map(piece).sum()
+}
+
+/// Integral of `f` over [a, b] by recursive bisection, from the integral and error that [`gauss_kronrod`] estimates. An
+/// interval is accepted if its error is at most `allowed` (halved in each half) or `floor`, after `depth` bisections, or
+/// when `left`, the number of intervals that may still be evaluated, has been counted down to 0.
+fn refine(
+    f: &impl Fn(f64) -> f64,
+    [a, b]: [f64; 2],
+    (value, error): (f64, f64),
+    (allowed, floor): (f64, f64),
+    depth: u32,
+    left: &mut u32,
+) -> f64 {
+    if error <= allowed.max(floor) || depth == 0 || *left == 0 {
+        return value;
+    }
+    let mid = 0.5 * (a + b);
+    let half = |ends: [f64; 2], left: &mut u32| {
+        *left = left.saturating_sub(1);
+        refine(f, ends, gauss_kronrod(f, ends[0], ends[1]), (0.5 * allowed, floor), depth - 1, left)
+    };
+    half([a, mid], left) + half([mid, b], left)
 }
 
 #[cfg(test)]

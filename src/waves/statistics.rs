@@ -4,7 +4,10 @@
 use super::noise;
 use super::plan::{Cascade, Plan};
 use super::quadrature::integrate_adaptive;
+use super::system::WaveSystem;
 use super::table::{SpectrumTable, entry_index};
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 /// Expected statistics of a planned sea from integrals of its spectrum by adaptive quadrature, which do not use the
@@ -116,13 +119,19 @@ impl SpectrumStatistics {
         let m0 = integral(&s, low, high, SPECTRUM_INTEGRAL_TOLERANCE);
         let [m0_resolved, m1, m2] = [0, 1, 2].map(|power| resolved(&|w| w.powi(power) * s(w)));
         let mss = resolved(&|w| s(w) * dispersion.wave_number(w).powi(2));
-        let first_moment = [0, 1].map(|axis| {
-            // One is added to the moment, so that the error is relative to m0: where all waves travel along the other
-            // axis, an error relative to the moment itself could never be reached.
-            let moment = |w: f64| {
-                plan.systems.iter().map(|s| s.spectrum.density(w) * (1.0 + s.first_moment(w)[axis])).sum::<f64>()
+        // Both integrals ask for the moments at the same frequencies, and a moment is an integral, too.
+        let moments = RefCell::new(HashMap::new());
+        let moments_at = |w: f64| {
+            let compute = || {
+                let of_system = |s: &WaveSystem| s.first_moment(w).map(|m| s.spectrum.density(w) * m);
+                plan.systems.iter().map(of_system).fold([0.0; 2], |[x, z], [dx, dz]| [x + dx, z + dz])
             };
-            integral(&moment, low, high, 1e-5) / m0 - 1.0
+            *moments.borrow_mut().entry(w.to_bits()).or_insert_with(compute)
+        };
+        let first_moment = [0, 1].map(|axis| {
+            // The density is added to the moment, so that the error is relative to m0: where all waves travel along the
+            // other axis, an error relative to the moment itself could never be reached.
+            integral(&|w| s(w) + moments_at(w)[axis], low, high, 1e-5) / m0 - 1.0
         });
         let r1 = first_moment[0].hypot(first_moment[1]);
         let omega_p = refined_peak(s, plan.omega_p);
