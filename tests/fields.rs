@@ -100,8 +100,8 @@ const LEAST_PICTURE: f64 = 0.03;
 const LEAST_MAPS: f64 = 1e-3;
 const SIZE: [u32; 2] = [96, 54];
 
-/// Settings to add to the base so that a parameter acts, and the value of the parameter to test. The third and fourth wave systems need
-/// what the second needs, with their own number in the keys.
+/// Settings to add to the base so that a parameter acts, and the value of the parameter to test. The third and fourth
+/// wave systems need what the second needs, with their own number in the keys.
 fn need(field: &Field) -> (String, &'static str) {
     let number = field.group.further_system_index().filter(|i| *i > 1).map(|i| i + 1);
     let key = number.map_or(field.key.to_owned(), |n| field.key.trim_end_matches(&n.to_string()).to_owned() + "2");

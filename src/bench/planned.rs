@@ -38,7 +38,7 @@ impl FrameWork {
         Self { size, maps, picture }
     }
 
-    /// The same frame in the lean tier of the light.
+    /// Work of this frame when the cheaper of the two light shaders, `detail=lean`, lights the sea.
     pub fn lean(mut self) -> Self {
         self.picture.light = cost::LEAN_LIGHT_FRAGMENT_COST;
         self

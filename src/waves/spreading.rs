@@ -208,8 +208,8 @@ impl Lobe {
         sech * sech * (0.5 + 0.5 * theta.cos()).max(0.0).powf(self.cosine_exponent) * cosine
     }
 
-    /// Integral of `f`(theta) times the lobe from 0 to pi rad, in up to six pieces of up to `steps` 15-point Kronrod panels.
-    /// The pieces are short inside the lobe and near pi, where cos^{2s}(theta/2) with a small s is not smooth.
+    /// Integral of `f`(theta) times the lobe from 0 to pi rad, in up to six pieces of up to `steps` 15-point Kronrod
+    /// panels. The pieces are short inside the lobe and near pi, where cos^{2s}(theta/2) with a small s is not smooth.
     fn half_circle_integral(&self, f: impl Fn(f64) -> f64, steps: u32) -> f64 {
         let width = (3.0
             / (self.sech_rate_per_rad * self.sech_rate_per_rad + 0.25 * self.cosine_exponent).sqrt().max(1e-3))
@@ -220,7 +220,8 @@ impl Lobe {
     }
 
     /// Norm of the lobe, the factor that makes its integral over all directions 1: in closed form if there is one,
-    /// otherwise by quadrature with up to `steps` 15-point Kronrod panels in each of up to six pieces of the half circle.
+    /// otherwise by quadrature with up to `steps` 15-point Kronrod panels in each of up to six pieces of the half
+    /// circle.
     pub fn normalising_factor(&self, steps: u32) -> f64 {
         self.closed_form_normalising_factor().unwrap_or_else(|| 1.0 / (2.0 * self.half_circle_integral(|_| 1.0, steps)))
     }
