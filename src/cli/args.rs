@@ -39,8 +39,8 @@ pub struct SeaArgs {
     /// (NetCDF) or Spotter (JSON); repeat the option for the files of one buoy
     #[arg(long = "spectrum", value_name = "FILE")]
     spectrum: Vec<PathBuf>,
-    /// Which spectrum of a file with several times or places, from 0; without it the one with the most energy. 'seastate
-    /// spectra' lists them
+    /// Which spectrum of a file with several times or places, from 0; without it the one with the most energy, or the
+    /// newest of a buoy. 'seastate spectra' lists them
     #[arg(long, value_name = "N", requires = "spectrum")]
     spectrum_index: Option<usize>,
     /// Sky image to show: an equirectangular picture in linear light, Radiance .hdr or OpenEXR

@@ -17,7 +17,7 @@ impl App {
         let bands = spectrum.bands().len();
         let title = list.title(used);
         self.notices = vec![format!("{title}: {bands} bands{directions}, Hs {:.2} m", spectrum.hs_m())];
-        self.notices.extend(list.notices.iter().cloned());
+        self.notices.extend(list.notices.iter().chain(&list.records[used].notices).cloned());
         self.params.sea.set_measured_spectrum(spectrum);
         self.panel.spectra = (count > 1).then_some(list);
     }
@@ -51,6 +51,7 @@ pub fn show_spectrum_list(app: &mut App, ui: &mut egui::Ui) {
     if let Some(i) = chosen {
         let spectrum = list.records[i].spectrum.clone();
         app.notices = vec![format!("{}: Hs {:.2} m", list.title(i), spectrum.hs_m())];
+        app.notices.extend(list.records[i].notices.iter().cloned());
         app.params.sea.set_measured_spectrum(spectrum);
     }
     if keeps {

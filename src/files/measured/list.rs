@@ -15,18 +15,41 @@ pub struct SpectrumRecord {
     pub label: String,
     /// The spectrum.
     pub spectrum: MeasuredSpectrum,
+    /// Messages to the user about data of this spectrum that were not used.
+    pub notices: Vec<String>,
 }
 
-/// All spectra of a file, at least one, in the order of the file.
+/// Why a spectrum of a file is the one that is used unless the user chooses another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DefaultSpectrum {
+    /// It has the most energy of all times and places.
+    MostEnergy,
+    /// It is the newest of a buoy's records.
+    Newest,
+}
+
+impl DefaultSpectrum {
+    /// The reason in words that follow a comma.
+    fn reason(self) -> &'static str {
+        match self {
+            Self::MostEnergy => "which has the most energy",
+            Self::Newest => "the newest complete one",
+        }
+    }
+}
+
+/// All spectra of a file, at least one: in the order of the file, or in the order of time if a buoy's files hold them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectrumList {
     /// Name of the file for messages, without folders.
     pub name: String,
     /// The spectra.
     pub records: Vec<SpectrumRecord>,
-    /// Index of the spectrum that is used unless the user chooses another one: the one with the most energy.
+    /// Index of the spectrum that is used unless the user chooses another one.
     pub default_index: usize,
-    /// Messages to the user about data that were not used.
+    /// Why [`Self::default_index`] is the default.
+    pub default_choice: DefaultSpectrum,
+    /// Messages to the user about data of the whole file that were not used.
     pub notices: Vec<String>,
 }
 
@@ -45,7 +68,8 @@ impl SpectrumList {
         if skipped > 0 {
             notices.push(format!("{name}: {skipped} spectra without data or waves are left out"));
         }
-        Ok(Self { name: name.to_owned(), records, default_index, notices })
+        let default_choice = DefaultSpectrum::MostEnergy;
+        Ok(Self { name: name.to_owned(), records, default_index, default_choice, notices })
     }
 
     /// Title of a spectrum for the user: name of the file, time and place.
@@ -58,8 +82,8 @@ impl SpectrumList {
         printable_prefix(&format!("{}{comma}{label}", self.name), 80)
     }
 
-    /// Takes the spectrum with the given index, or the default one. If the file holds several, a notice says which one
-    /// is used.
+    /// Takes the spectrum with the given index, or the default one, with its notices. If the file holds several, a
+    /// notice says which one is used.
     ///
     /// # Errors
     /// One sentence, if the index is not below the number of records.
@@ -70,13 +94,15 @@ impl SpectrumList {
             return Err(format!("{}: it holds {count} spectra, numbered from 0: there is no number {used}", self.name));
         }
         if count > 1 {
-            let why = if index.is_none() { ", which has the most energy" } else { "" };
+            let why = index.map_or_else(|| format!(", {}", self.default_choice.reason()), |_| String::new());
             let label = &self.records[used].label;
             let label = if label.is_empty() { String::new() } else { format!(" ({label})") };
             let notice = format!("{}: number {used} of {count} spectra is used{label}{why}", self.name);
             self.notices.insert(0, notice);
         }
         let title = self.title(used);
-        Ok(SpectrumFile { spectrum: self.records.swap_remove(used).spectrum, title, notices: self.notices })
+        let SpectrumRecord { spectrum, notices, .. } = self.records.swap_remove(used);
+        self.notices.extend(notices);
+        Ok(SpectrumFile { spectrum, title, notices: self.notices })
     }
 }

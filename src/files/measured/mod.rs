@@ -20,7 +20,7 @@ mod write;
 pub use direction::DirectionalParameters;
 pub use directional::{DirectionalTable, MAX_DIRECTIONS, MIN_DIRECTIONS, TabulatedDistribution};
 pub use formats::MAX_FILES_PER_SPECTRUM;
-pub use list::{SpectrumList, SpectrumRecord};
+pub use list::{DefaultSpectrum, SpectrumList, SpectrumRecord};
 pub use mem::MaximumEntropyDistribution;
 pub use spectrum::{MAX_BANDS, MIN_BANDS, MeasuredSpectrum, SpectrumFile};
 pub use state::MAX_TEXT_BYTES;

@@ -147,7 +147,10 @@ impl Records {
     /// Keeps a spectrum with its label; `None` counts as one without waves.
     pub fn add(&mut self, label: &str, spectrum: Option<MeasuredSpectrum>) {
         match spectrum {
-            Some(spectrum) => self.records.push(SpectrumRecord { label: printable_prefix(label, 60), spectrum }),
+            Some(spectrum) => {
+                let label = printable_prefix(label, 60);
+                self.records.push(SpectrumRecord { label, spectrum, notices: Vec::new() });
+            }
             None => self.skipped += 1,
         }
     }

@@ -16,11 +16,11 @@ mod swan;
 mod table;
 mod ww3_text;
 
-use super::list::{SpectrumList, SpectrumRecord};
+use super::list::SpectrumList;
 use super::spectrum::{MeasuredSpectrum, SpectrumFile};
+use super::text::TextFile;
 #[cfg(feature = "files")]
 use super::text::{MAX_FILE_BYTES, short_name, too_large};
-use super::text::{TextFile, printable_prefix};
 
 /// Largest number of files that are read together as one measured spectrum.
 pub const MAX_FILES_PER_SPECTRUM: usize = 8;
@@ -58,7 +58,7 @@ impl Format {
 }
 
 impl MeasuredSpectrum {
-    /// Reads one spectrum from one or several files: of [`Self::read_list`] the one with the most energy.
+    /// Reads one spectrum from one or several files: the default one of [`Self::read_list`].
     ///
     /// # Errors
     /// As [`Self::read_list`].
@@ -79,11 +79,12 @@ impl MeasuredSpectrum {
     /// - spectral files of SWAN, with and without directions, and point spectra of WAVEWATCH III as text;
     /// - with the feature `files`: spectra over frequency and direction in NetCDF files, and JSON of Spotter buoys.
     ///
-    /// An NDBC file has many records. The newest one whose variance densities are complete is used, with the directions
-    /// of the same time.
+    /// An NDBC file has many records. Each whose variance densities are complete becomes a spectrum, with the directions
+    /// of the same time, and the newest is the default.
     ///
     /// # Errors
-    /// One sentence with file, line and reason for the first malformed entry of any record.
+    /// One sentence with file, line and reason for the first malformed entry of any record. Older records of a buoy
+    /// whose values contradict each other are left out, with a notice.
     pub fn read_list(files: &[(String, Vec<u8>)]) -> Result<SpectrumList, String> {
         if files.len() > MAX_FILES_PER_SPECTRUM {
             return Err(format!(
@@ -105,11 +106,11 @@ impl MeasuredSpectrum {
             return Err(first.file_error("it holds complete spectra: read it without other files"));
         }
         match format {
-            Format::Ndbc => Ok(list_of_one(ndbc::read(&files)?)),
+            Format::Ndbc => ndbc::read(&files),
             Format::Swan => swan::read(first),
             Format::Ww3Text => ww3_text::read(first),
             Format::DirectionTable => direction_table::read(first),
-            Format::Table => Ok(list_of_one(table::read(first)?)),
+            Format::Table => table::read(first),
         }
     }
 }
@@ -129,12 +130,4 @@ fn read_other_than_text(files: &[(String, Vec<u8>)]) -> Result<Option<SpectrumLi
         return Err(format!("{name}: {}", too_large()));
     }
     if is_netcdf(bytes) { netcdf::read(&name, bytes) } else { spotter::read(&name, bytes) }.map(Some)
-}
-
-/// Makes the list of a file that holds one spectrum. Its title becomes the label.
-fn list_of_one(file: SpectrumFile) -> SpectrumList {
-    let SpectrumFile { spectrum, title, notices } = file;
-    let (name, label) = title.split_once(", ").map_or((title.as_str(), ""), |(name, label)| (name, label));
-    let records = vec![SpectrumRecord { label: printable_prefix(label, 60), spectrum }];
-    SpectrumList { name: name.to_owned(), records, default_index: 0, notices }
 }

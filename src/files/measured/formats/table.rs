@@ -1,7 +1,8 @@
 //! Reads a table of frequency f, variance density S and, where they are known, wave direction and directional spread.
 
 use crate::files::measured::direction::{DirectionalParameters, fill_missing_directions};
-use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum, SpectrumFile, checked_density, checked_frequency};
+use crate::files::measured::list::{SpectrumList, SpectrumRecord};
+use crate::files::measured::spectrum::{MAX_BANDS, MeasuredSpectrum, checked_density, checked_frequency};
 use crate::files::measured::text::{MAX_COLUMNS, TextFile, display_number, parse_number, quoted_excerpt, trimmed_line};
 
 /// Texts that stand for a missing direction or spread in a table, in upper or lower case.
@@ -23,7 +24,7 @@ struct Rows {
 }
 
 /// Reads a spectrum from a file that holds a table.
-pub(super) fn read(file: &TextFile<'_>) -> Result<SpectrumFile, String> {
+pub(super) fn read(file: &TextFile<'_>) -> Result<SpectrumList, String> {
     let mut rows = Rows::default();
     for (i, line) in file.text.lines().enumerate() {
         rows.add_line(line).map_err(|what| file.line_error(i + 1, what))?;
@@ -33,7 +34,7 @@ pub(super) fn read(file: &TextFile<'_>) -> Result<SpectrumFile, String> {
     let directions =
         if directions.is_empty() { None } else { fill_missing_directions(&bands, &directions, &mut notices) };
     let spectrum = MeasuredSpectrum::new(&bands, directions.as_deref()).map_err(|what| file.file_error(what))?;
-    Ok(SpectrumFile { spectrum, title: file.name.clone(), notices })
+    SpectrumList::new(&file.name, vec![SpectrumRecord { label: String::new(), spectrum, notices }], 0)
 }
 
 impl Rows {

@@ -1,6 +1,6 @@
 //! Tests of files that are read as measured spectra.
 
-use super::super::DirectionalParameters;
+use super::super::{DefaultSpectrum, DirectionalParameters, MeasuredSpectrum};
 use super::{BANDS, SPEC, message, read, realtime_set, sea, title};
 
 #[test]
@@ -54,7 +54,9 @@ fn incomplete_directions_are_left_out_with_a_notice() {
 fn the_newest_complete_record_counts() {
     let rows = |a: &str, b: &str| format!("{SPEC}2026 11 21 06 00 0.2 {a}\n2026 11 21 07 30 0.2 {b}\n");
     let (one, two) = ("1 (0.05) 2 (0.1) 3 (0.2)", "4 (0.05) 5 (0.1) 6 (0.2)");
-    assert_eq!(sea(&[("a", &rows(one, two))]).bands(), [(0.05, 4.0), (0.1, 5.0), (0.2, 6.0)]);
+    let (got, notices) = read(&[("a", &rows(one, two))]).expect("a sea");
+    assert_eq!(got.bands(), [(0.05, 4.0), (0.1, 5.0), (0.2, 6.0)]);
+    assert_eq!(notices, ["a: number 1 of 2 spectra is used (2026-11-21 07:30 UTC), the newest complete one"]);
     for bad in ["4 (0.05) 999.00 (0.1) 6 (0.2)", "4 (0.05) MM (0.1) 6 (0.2)", "0 (0.05) 0.00 (0.1) 0 (0.2)"] {
         let (got, notices) = read(&[("a", &rows(one, bad))]).expect("a sea");
         assert_eq!(got.bands(), [(0.05, 1.0), (0.1, 2.0), (0.2, 3.0)]);
@@ -65,6 +67,47 @@ fn the_newest_complete_record_counts() {
         let want = "a: no record has a complete variance density with waves in it: choose other files of the buoy";
         assert_eq!(none, want);
     }
+}
+
+/// Every complete record of a buoy can be chosen, with the directions of its own time. The two files have other orders
+/// of time.
+#[test]
+fn every_time_of_a_buoy_is_listed() {
+    let mut files = realtime_set();
+    let earlier = [
+        "2026 11 21 05 00 9.999 1 (0.050) 4 (0.100) 1 (0.200)\n2026 11 21 04 00 9.999 MM (0.050) 4 (0.100) 1 (0.200)\n",
+        "2026 11 21 05 00 100 (0.050) 110 (0.100) 120 (0.200)\n",
+        "2026 11 21 05 00 100 (0.050) 110 (0.100) 120 (0.200)\n",
+        "2026 11 21 05 00 0.9 (0.050) 0.9 (0.100) 0.9 (0.200)\n",
+        "2026 11 21 05 00 0.5 (0.050) 0.5 (0.100) 0.5 (0.200)\n",
+    ];
+    let newest = sea(&files);
+    for (i, (file, rows)) in files.iter_mut().zip(earlier).enumerate() {
+        let (header, record) = file.1.split_once('\n').expect("a header");
+        file.1 = if i == 1 { format!("{header}\n{rows}{record}") } else { format!("{header}\n{record}{rows}") };
+    }
+    let bytes: Vec<_> = files.iter().map(|(name, text)| ((*name).to_owned(), text.clone().into_bytes())).collect();
+    let list = MeasuredSpectrum::read_list(&bytes).expect("a list");
+    let labels: Vec<_> = list.records.iter().map(|r| r.label.as_str()).collect();
+    assert_eq!(labels, ["2026-11-21 05:00 UTC", "2026-11-21 06:00 UTC"]);
+    assert_eq!((list.default_index, list.default_choice), (1, DefaultSpectrum::Newest));
+    assert_eq!(list.notices, ["44025.data_spec: older records that are left out because they are incomplete: 1"]);
+    assert_eq!(list.records[1].spectrum, newest);
+    let file = list.choose(Some(0)).expect("the first");
+    assert_eq!(file.title, "44025.data_spec, 2026-11-21 05:00 UTC");
+    assert_eq!(file.spectrum.bands(), [(0.05, 1.0), (0.1, 4.0), (0.2, 1.0)]);
+    assert_eq!(file.spectrum.directions().map(|d| d[1].alpha1_deg), Some(110.0));
+
+    // Without directions of its time, an older record is listed with a notice. With impossible ones it is left out.
+    let mut gap = bytes.clone();
+    gap[1].1 = realtime_set()[1].1.clone().into_bytes();
+    let older = MeasuredSpectrum::read_list(&gap).expect("a list").records.swap_remove(0);
+    assert!(older.spectrum.directions().is_none());
+    assert_eq!(older.notices, ["there is no alpha1 of 2026-11-21 05:00 UTC: the spectrum is used without directions"]);
+    gap[1].1 = files[1].1.replace("110 (", "361 (").into_bytes();
+    let list = MeasuredSpectrum::read_list(&gap).expect("a list");
+    assert_eq!((list.records.len(), list.default_index), (1, 0));
+    assert_eq!(list.notices, ["44025.data_spec: older records that are left out because they are incomplete: 2"]);
 }
 
 #[test]

@@ -13,7 +13,7 @@ const MAX_SECTIONS: usize = 64;
 pub(super) const MAX_RECORDS: usize = 400_000;
 
 /// Quantity that a section of an NDBC file holds: variance density or one of four directional parameters.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum SectionKind {
     Density,
     Alpha1,
