@@ -207,11 +207,12 @@ fn srgb(c: f64) -> f64 {
     if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
 }
 
-const AGX: u32 = 0;
-const ACES: u32 = 1;
-const REINHARD: u32 = 2;
-const NEUTRAL: u32 = 3;
-const LINEAR: u32 = 4;
+const FILM: u32 = 0;
+const AGX: u32 = 1;
+const ACES: u32 = 2;
+const REINHARD: u32 = 3;
+const NEUTRAL: u32 = 4;
+const LINEAR: u32 = 5;
 
 #[test]
 fn tone_curves_are_monotonic_and_stay_on_the_screen() {
@@ -220,7 +221,7 @@ fn tone_curves_are_monotonic_and_stay_on_the_screen() {
         .map(|i| [f64::from(i % 4), f64::from(i / 4 % 4), f64::from(i / 16)].map(|v| 0.001 * 40f64.powf(v)))
         .chain([[0.0; 3], [1e30; 3], [-1.0, 0.0, 1.0], [60000.0, 0.0, 0.0]])
         .collect();
-    for curve in AGX..=LINEAR {
+    for curve in FILM..=LINEAR {
         let shown = tone(curve, &greys);
         for pair in shown.windows(2) {
             assert!(pair[1][1] >= pair[0][1] - 1e-4, "curve {curve}: {pair:?}");
@@ -259,6 +260,10 @@ fn tone_curves_are_those_of_the_publications() {
     close("neutral red's green", red[1], srgb(0.06));
     // Peak 0.96 squeezed: 1 - 0.24^2 / (0.96 + 0.24 - 0.76).
     close("neutral one", grey(NEUTRAL, 1.0), srgb(1.0 - 0.24 * 0.24 / 0.44));
+    // The film curve shows sunlit foam bright, and still tells eight times as much light from it.
+    let film = |v: f64| 255.0 * grey(FILM, v);
+    let shown = [film(0.18), film(1.2), film(9.6)];
+    assert!(shown[0] > 110.0 && shown[0] < 125.0 && shown[1] > 215.0 && shown[2] > shown[1] + 25.0, "{shown:?}");
     // AgX: ends of its log range, and middle grey a little below the middle of the screen after the look.
     assert!(grey(AGX, 0.0) < 0.01 && grey(AGX, 16.3) > 0.97);
     let log = (0.18f64.log2() + 12.47393) / (4.026_069 + 12.47393);

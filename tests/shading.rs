@@ -617,12 +617,41 @@ fn compare_caustics(kernel: &Kernel<'_>) -> Vec<Line> {
     ]
 }
 
+/// The light of separate glints has the mean of all glints, and the variance of a Poisson number of exponential ones.
+fn compare_glints(kernel: &Kernel<'_>) -> Vec<Line> {
+    let (mut off, mut spread) = (0.0_f64, 0.0_f64);
+    for expected in [0.05, 0.5, 3.9, 4.1, 30.0] {
+        let side = 200;
+        let case = |i: i32| place_case(8.0, DVec2::new(f64::from(i % side), f64::from(i / side)), expected);
+        let cases: Vec<Case> = (0..side * side).map(case).collect();
+        let got: Vec<f64> = kernel.ask(&cases).iter().map(|a| a[0]).collect();
+        let n = got.len() as f64;
+        let mean = got.iter().sum::<f64>() / n;
+        let variance = got.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / n;
+        let deviations = (mean - 1.0) / (2.0 / expected / n).sqrt();
+        eprintln!("{expected} glints: mean {mean:.4}, {deviations:.1} deviations off; variance {variance:.3}");
+        // The distributions are approximated to some thousandths.
+        off = off.max(((mean - 1.0).abs() - 0.006).max(0.0) / (2.0 / expected / n).sqrt());
+        spread = spread.max((0.5 * expected * variance - 1.0).abs());
+    }
+    vec![line("mean of glints, deviations off 1", off, 4.0), line("variance of glints", spread, 0.15)]
+}
+
 fn compare(bench: &mut Bench, shaders: Shaders) -> Vec<Line> {
     let kernel = bench.kernel(shaders);
-    [compare_fresnel, compare_seen, compare_mirror, compare_glitter, compare_furnace, compare_caustics, compare_surface]
-        .iter()
-        .flat_map(|comparison| comparison(&kernel))
-        .collect()
+    [
+        compare_fresnel,
+        compare_seen,
+        compare_mirror,
+        compare_glitter,
+        compare_furnace,
+        compare_caustics,
+        compare_surface,
+        compare_glints,
+    ]
+    .iter()
+    .flat_map(|comparison| comparison(&kernel))
+    .collect()
 }
 
 fn table(lines: &[Line]) -> String {
@@ -757,6 +786,7 @@ const FAULTS: &[Fault] = &[
         &[("let reach = depth_m *", "let reach = 0.1 * depth_m *")],
         "contrast of caustics under 0.05",
     ),
+    Fault("a tenth of the glints left out", &[("count += 1.0;", "count += 0.9;")], "mean of glints, deviations off 1"),
     Fault("the light's way back mirrored", &[("let uv = 0.5 - over", "let uv = 0.5 + over")], "mirrored direction"),
 ];
 

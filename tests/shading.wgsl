@@ -53,6 +53,7 @@ fn answer(question: Question) -> Answer {
       let slope = WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0));
       answer.x = water_second_bounce(water_tilt_towards(a.xyz, slope), b.x);
     }
+    case 8u: { answer.x = water_glint_cell(vec2u(a.xy), a.z); }
     default: { answer = vec4f(water_normal(a.xy), 0.0); }
   }
   return Answer(answer);

@@ -24,7 +24,7 @@ fn answer(question: Question) -> Answer {
   let moved = water_displacement(q.xy, q.z, false).displacement;
   let slope = water_slope(q.xy, moved, foot);
   let vertex = water_displacement(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
-  let split = water_slope_with_carried(q.xy, moved, foot, foot, vertex.carried, true);
+  let split = water_slope_with_carried(q.xy, moved, foot, foot, vertex.carried, true, 1.0);
   return Answer(
     vec4f(moved, 0.0),
     vec4f(slope.mean, slope.jacobian, 0.0),

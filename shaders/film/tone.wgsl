@@ -10,23 +10,54 @@ override TONE_SMOOTH: bool = true;
 @group(0) @binding(3) var hdr_sampler: sampler;
 @group(0) @binding(4) var bloom_map: texture_2d<f32>;
 
+// Primaries in which the tone curves of film and AgX act on each channel: less saturated ones (AgX by Troy Sobotka), so
+// that bright colours fade towards white; and the way back.
+const TONE_INTO = mat3x3f(
+  vec3f(0.842479062253094, 0.0423282422610123, 0.0423756549057051),
+  vec3f(0.0784335999999992, 0.878468636469772, 0.0784336),
+  vec3f(0.0792237451477643, 0.0791661274605434, 0.879142973793104));
+const TONE_OUT = mat3x3f(
+  vec3f(1.19687900512017, -0.0528968517574562, -0.0529716355144438),
+  vec3f(-0.0980208811401368, 1.15190312990417, -0.0980434501171241),
+  vec3f(-0.0990297440797205, -0.0989611768448433, 1.15107367264116));
+
+// Film curve: code value (x^n / (x^n + s))^m of light x. It is as steep as AgX at middle grey, and so long above white
+// that the light around the sun still differs. `log_light` is the binary logarithm of the light.
+const TONE_FILM_CONTRAST = 1.2;
+const TONE_FILM_MIDDLE = 0.391;
+const TONE_FILM_GAMMA = 0.55;
+
+fn tone_film_response(log_light: vec4f) -> vec4f {
+  let light = exp2(TONE_FILM_CONTRAST * log_light);
+  return exp2(TONE_FILM_GAMMA * log2(light / (light + TONE_FILM_MIDDLE)));
+}
+
+// Film curve of this program: half the light with its hue, and half with each channel on its own, which fades towards
+// white as on film.
+fn tone_film(linear: vec3f) -> vec3f {
+  let light = clamp(linear, vec3f(1e-6), vec3f(1e6));
+  let logs = log2(light);
+  let most = max(logs.r, max(logs.g, logs.b));
+  let response = tone_film_response(vec4f(log2(TONE_INTO * light), most));
+  let white = response.w;
+  let own = TONE_OUT * response.rgb;
+  let hue = white * exp2((TONE_FILM_CONTRAST * TONE_FILM_GAMMA) * (logs - most));
+  let bleach = saturate(4.0 * white - 3.0);
+  let kept = mix(hue, vec3f(white), 0.6 * bleach * bleach);
+  let both = 0.5 * (own + kept);
+  let grey = sky_luminance(both);
+  return clamp(grey + 1.1 * (both - grey), vec3f(0.0), vec3f(1.0));
+}
+
 // AgX tone curve by Troy Sobotka in the polynomial form of Benjamin Wrensch, with a look that keeps the sea's blues.
 fn tone_agx(linear: vec3f) -> vec3f {
-  const INTO = mat3x3f(
-    vec3f(0.842479062253094, 0.0423282422610123, 0.0423756549057051),
-    vec3f(0.0784335999999992, 0.878468636469772, 0.0784336),
-    vec3f(0.0792237451477643, 0.0791661274605434, 0.879142973793104));
-  const OUT = mat3x3f(
-    vec3f(1.19687900512017, -0.0528968517574562, -0.0529716355144438),
-    vec3f(-0.0980208811401368, 1.15190312990417, -0.0980434501171241),
-    vec3f(-0.0990297440797205, -0.0989611768448433, 1.15107367264116));
   // Range of the curve in stops, and its ends as light: 2 to the power of LOW and of HIGH.
   const LOW = -12.47393;
   const HIGH = 4.026069;
   const DARKEST = vec3f(1.7578e-4);
   const BRIGHTEST = vec3f(16.2917);
   const PER_STOP = 1.0 / (HIGH - LOW);
-  let x = log2(clamp(INTO * linear, DARKEST, BRIGHTEST)) * PER_STOP - LOW * PER_STOP;
+  let x = log2(clamp(TONE_INTO * linear, DARKEST, BRIGHTEST)) * PER_STOP - LOW * PER_STOP;
   // Wrensch's polynomial followed by the look's contrast, 1.09 c^1.25, as one polynomial within 0.0002 of both.
   var c = -14.97623 * x + 73.74662;
   c = c * x - 120.5589;
@@ -40,7 +71,7 @@ fn tone_agx(linear: vec3f) -> vec3f {
   let grey = dot(c, 0.18 * vec3f(0.2126, 0.7152, 0.0722));
   c = max(1.18 * c - grey, vec3f(0.0));
   // The result is already encoded with a gamma of 2.2.
-  return clamp(OUT * c, vec3f(0.0), vec3f(1.0));
+  return clamp(TONE_OUT * c, vec3f(0.0), vec3f(1.0));
 }
 
 // ACES tone curve: reference rendering transform and output transform for sRGB, as fitted by Stephen Hill (2016).
@@ -91,10 +122,11 @@ fn tone_limited(exposed: vec3f) -> vec3f {
 // src/state/look/mod.rs.
 fn tone_encoded(curve: u32, exposed: vec3f) -> vec3f {
   switch curve {
-    case 0u: { return tone_agx(exposed); }
-    case 1u: { return tone_srgb(tone_aces(tone_limited(exposed))); }
-    case 2u: { return tone_srgb(tone_reinhard(tone_limited(exposed))); }
-    case 3u: { return tone_srgb(tone_neutral(tone_limited(exposed))); }
+    case 0u: { return tone_film(exposed); }
+    case 1u: { return tone_agx(exposed); }
+    case 2u: { return tone_srgb(tone_aces(tone_limited(exposed))); }
+    case 3u: { return tone_srgb(tone_reinhard(tone_limited(exposed))); }
+    case 4u: { return tone_srgb(tone_neutral(tone_limited(exposed))); }
     default: { return tone_srgb(exposed); }
   }
 }

@@ -99,11 +99,13 @@ fn sky_irradiance() {
   if sky.fog.extinction_per_m > 0.0 {
     light.sun_irradiance *= fog_transmittance(0.0, sky.sun_direction.y, 0.0, FOG_FAR_M);
   }
-  // Mean luminance of the low sky: 2.1 sr is about the integral of the weight `low` over the sky.
-  let band = total.w / 2.1;
+  // Mean luminance of the low sky: 2.26 sr is the integral of the weight `low` over the sky.
+  let band = total.w / 2.26;
   let ground = sky_luminance(total.rgb + light.sun_irradiance * max(sky.sun_direction.y, 0.0)) / ATM_PI;
   // The adaptation luminance does not contain the factor `night_gain`.
   light.adaptation_luminance = max((0.85 * band + 0.2 * ground) / sky.night_gain, 1e-9);
-  // Like an eye, the exposure adapts only in part: dusk stays darker than noon, and night is dark.
-  light.exposure = 0.66 / pow(light.adaptation_luminance, 0.77) / sky.night_gain;
+  // Like an eye, the exposure adapts only in part: dusk stays darker than noon, and night is dark. By day, foam in the
+  // sun is to be nearly white.
+  let day = light.adaptation_luminance / (light.adaptation_luminance + 0.4);
+  light.exposure = (0.66 + 0.6 * day) / pow(light.adaptation_luminance, 0.77) / sky.night_gain;
 }

@@ -39,17 +39,20 @@ fn lean_copy_shift(position: TileLatticePosition, at: vec2f) -> vec2f {
 }
 
 // Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold.
-fn lean_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: LeanFootprint, map: FrameCascade, carried: f32) {
+// `gust` is a factor on their slope variance.
+fn lean_add_waves(
+  out: ptr<function, WaterSlopeSums>, at: vec2f, foot: LeanFootprint, map: FrameCascade, carried: f32, gust: f32,
+) {
   let uv = map.uv_below_eye + at * map.inverse_patch + lean_copy_shift(map.tile_position, at);
   let lod = foot.log_texel_m + map.log_texels_per_m;
   let fading = (foot.side_m * map.inverse_patch - LEAN_FADE_START) * (1.0 / (LEAN_FADE_END - LEAN_FADE_START));
   let weight = 1.0 - maths_smooth(fading);
   let gradients = weight * textureSampleLevel(gradients_map, trilinear_sampler, uv, map.layer, lod);
-  let own = (1.0 - carried) * map.slope_scale;
+  let own = (1.0 - carried) * map.slope_scale * sqrt(gust);
   (*out).sums.slope += own * gradients.xy;
   (*out).sums.stretch += own * gradients.zw;
   // As in water_sampling: the moments hold nothing finer than two texels.
-  let counted = saturate(lod + 0.5) * map.variance_factor;
+  let counted = gust * saturate(lod + 0.5) * map.variance_factor;
   if counted > 0.0 {
     (*out).variance += counted * water_unresolved_covariance(map, uv, lod - 1.0, gradients.xy);
   }
@@ -60,17 +63,19 @@ fn lean_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: LeanFootp
 fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDerivatives) -> WaterSlope {
   var waves: WaterSlopeSums;
   waves.sums = carried;
-  waves.variance = frame.residual_slope_covariance;
+  let gust = water_gust_gain(at, foot.side_m);
+  waves.variance = gust * frame.residual_slope_covariance;
   let inverse_step = water_inverse_carrying_step(at);
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
     let map = frame.cascades[c];
+    let own_gust = water_gust_share(map, gust);
     if foot.side_m * map.inverse_patch >= LEAN_FADE_END {
-      waves.variance += water_whole_covariance(map, at);
+      waves.variance += own_gust * water_whole_covariance(map, at);
       continue;
     }
     let share = select(0.0, water_carried_fraction(map, inverse_step), c < frame.cascade_count);
     if share < 1.0 {
-      lean_add_waves(&waves, at, foot, map, share);
+      lean_add_waves(&waves, at, foot, map, share, own_gust);
     }
   }
   // As water_displaced_slope, with a cheaper limit and one mean for the whole pixel.

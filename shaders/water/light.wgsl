@@ -92,20 +92,21 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let dy = frame.footprint_scale * y.side;
   let foot = water_footprint(dx, dy);
   let point = WaterPoint(place, at, water_height_m(place));
+  let gust = water_gust_gain(at, foot.length_m);
   var slope: WaterSlope;
   if WATER_POINT_SAMPLES {
     // Slopes interpolated between the vertices are linear there; a sample needs the slope at its point.
-    slope = water_slope(at, water_moved(point), foot);
+    slope = water_slope_with_carried(at, water_moved(point), foot, foot, WaterDerivatives(), false, gust);
   } else {
     let mesh = textureLoad(slope_and_stretch_map, pixel, 0);
     let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
-    slope = water_slope_with_carried(at, water_moved(point), foot, foot, carried, true);
+    slope = water_slope_with_carried(at, water_moved(point), foot, foot, carried, true, gust);
   }
   // If a neighbouring pixel shows another wave, the difference is not a change of slope within this pixel.
   let bend_x = select(vec2f(0.0), dpdx(slope.mean), x.is_smooth);
   let bend_y = select(vec2f(0.0), dpdy(slope.mean), y.is_smooth);
   let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
-  return water_radiance(point, foot, bent);
+  return water_radiance(point, foot, bent, gust, vec2u(pixel));
 }
 
 @fragment

@@ -9,11 +9,11 @@ struct WaterMirror {
 
 // Reflected sky and sun. `v` points to the eye, in axes whose y is the local vertical.
 fn water_mirror(v: vec3f, surface: WaterSlope) -> WaterMirror {
-  return water_mirror_among(v, surface, surface);
+  return water_mirror_among(v, surface, surface, WaterGlints());
 }
 
 // Reflected sky and sun of a part of a surface. Facets of `others` hide it from eye and sun, and reflect light to it.
-fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> WaterMirror {
+fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope, glints: WaterGlints) -> WaterMirror {
   var slope = surface;
   var around = others;
   if WATER_PHONG {
@@ -58,7 +58,7 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope) -> Wate
   let over = 1.0 / weights;
   out.radiance = sum * (material.sky_reflection * over);
   out.reflectance = sum_f * over;
-  out.radiance += water_glitter(v, slope, around, out.reflectance);
+  out.radiance += water_glitter(v, slope, around, out.reflectance, glints);
   return out;
 }
 
@@ -100,7 +100,9 @@ const WATER_NO_GLITTER_SQUARE = 32.0;
 
 // Radiance of the reflected sun. `surface` and `others` are as in water_mirror_among; `reflectance` is the mean of the
 // facets.
-fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance: f32) -> vec3f {
+fn water_glitter(
+  v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance: f32, glints: WaterGlints,
+) -> vec3f {
   let l = frame.sun_direction;
   let between = l + v;
   if l.y <= -0.02 || between.y <= 0.01 {
@@ -156,11 +158,19 @@ fn water_glitter(v: vec3f, surface: WaterSlope, others: WaterSlope, reflectance:
   var sum = 0.0;
   var seen = 0.0;
   let halves = select(1, 2, is_split);
+  var gain = 1.0;
+  if WATER_GLINTS && glints.area_m2 > 0.0 {
+    var mean = water_slope_density_at(density, squares.x);
+    if is_split {
+      mean = 0.5 * (mean + water_slope_density_at(density, squares.y));
+    }
+    gain = water_glint_gain(glints, mean);
+  }
   for (var i = 0; i < halves; i++) {
     let facets = water_slope_density_at(density, squares.x);
     let brightness = water_glitter_brightness(v, h, facets, part, eye, lit, 1.0, reflectance);
     // A reflection is not brighter than the sun's disc.
-    sum += brightness.y * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
+    sum += brightness.y * min(gain * strength * brightness.x, frame.sun_radiance_per_irradiance);
     seen += brightness.y;
     // The second half.
     squares = squares.yx;

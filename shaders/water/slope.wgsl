@@ -68,15 +68,47 @@ const WATER_LEAST_COPY_WEIGHT = 0.008;
 // Weight of a copy of a patch from which it is interpolated by a spline.
 const WATER_SPLINE_COPY_WEIGHT = 0.5;
 
-// Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold.
-fn water_add_waves(out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFootprint, cascade: u32, carried: f32) {
+// Whether gusts and slicks are compiled in.
+override WATER_GUSTS: bool = false;
+// Noise layers of gusts, which the wind carries along, and of slicks, which drift slowly.
+const WATER_GUST_LAYER = 6u;
+const WATER_SLICK_LAYER = 7u;
+// Standard deviation of the short waves' slope variance, relative to its mean, by gusts and by slicks.
+const WATER_GUST_DEVIATION = 0.38;
+const WATER_SLICK_DEVIATION = 0.23;
+// Texels per metre from which a cascade's waves follow gusts within seconds.
+const WATER_GUST_TEXELS_PER_M = 2.0;
+
+// Factor on the slope variance of short waves at an undisplaced position, by gusts and slicks, filtered over `size`
+// metres. Its mean is 1 over any area that is large against them, at every distance, because both noises are uniform,
+// independent, and enter linearly.
+fn water_gust_gain(at: vec2f, size: f32) -> f32 {
+  if !WATER_GUSTS {
+    return 1.0;
+  }
+  let gust = material_noise(WATER_GUST_LAYER, at, material_lod(WATER_GUST_LAYER, size)).b - 0.5;
+  let slick = material_noise(WATER_SLICK_LAYER, at, material_lod(WATER_SLICK_LAYER, size)).b - 0.5;
+  let strength = 3.4641 * material.gust_strength;
+  return (1.0 + strength * WATER_GUST_DEVIATION * gust) * (1.0 + strength * WATER_SLICK_DEVIATION * slick);
+}
+
+// Factor by which gusts change the slope variance of a cascade or of ripples, from that of the shortest waves.
+fn water_gust_share(map: FrameCascade, gain: f32) -> f32 {
+  return select(1.0, gain, map.texels_per_m > WATER_GUST_TEXELS_PER_M);
+}
+
+// Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold. `gust`
+// is a factor on their slope variance.
+fn water_add_waves(
+  out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFootprint, cascade: u32, carried: f32, gust: f32,
+) {
   let map = frame.cascades[cascade];
   let sampling = water_sampling(map, foot);
   let along = foot.axis * map.inverse_patch;
-  let own = (1.0 - carried) * sampling.slope_weight;
+  let own = (1.0 - carried) * sampling.slope_weight * sqrt(gust);
   let slope_gain = own * map.slope_scale;
   let stretch_gain = select(0.0, own, cascade < frame.cascade_count);
-  let variance_gain = map.variance_factor * sampling.variance_weight;
+  let variance_gain = gust * map.variance_factor * sampling.variance_weight;
   // Ripples add slopes, but no displacement. Where maps are minified, products of shears have a mean near 0.
   let has_shear = cascade < frame.cascade_count && sampling.displacement_lod < WATER_SHEAR_LOD;
   let first_uv = map.uv_below_eye + at * map.inverse_patch;
@@ -124,20 +156,21 @@ fn water_whole_covariance(map: FrameCascade, at: vec2f) -> vec3f {
 }
 
 // Slope statistics within a footprint at an undisplaced position relative to the point below the eye, m, from which the
-// waves have moved the water by `moved`, m.
+// waves have moved the water by `moved`, m, without gusts.
 fn water_slope(at: vec2f, moved: vec3f, foot: WaterFootprint) -> WaterSlope {
-  return water_slope_with_carried(at, moved, foot, foot, WaterDerivatives(), false);
+  return water_slope_with_carried(at, moved, foot, foot, WaterDerivatives(), false, 1.0);
 }
 
 // Slope statistics within a footprint, with another footprint for the ripples. If `carries`, the maps are added to the
-// slopes `carried` that the mesh holds at this point; else `carried` must be 0.
+// slopes `carried` that the mesh holds at this point; else `carried` must be 0. `gust` is water_gust_gain there.
 fn water_slope_with_carried(
   at: vec2f, moved: vec3f, foot: WaterFootprint, ripple_foot: WaterFootprint, carried: WaterDerivatives, carries: bool,
+  gust: f32,
 ) -> WaterSlope {
   var waves: WaterSlopeSums;
   waves.sums = carried;
   // Covariance of the slopes of all waves that are in no map (Cox and Munk 1954).
-  waves.variance = frame.residual_slope_covariance;
+  waves.variance = gust * frame.residual_slope_covariance;
   let inverse_step = water_inverse_carrying_step(at);
   // Slopes of short gravity waves are similar at every scale, so that a shrunk copy of a cascade can serve as ripples.
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
@@ -148,10 +181,11 @@ fn water_slope_with_carried(
       within = ripple_foot;
     }
     let share = select(0.0, water_carried_fraction(map, inverse_step), carries && !is_ripple);
+    let own_gust = water_gust_share(map, gust);
     if water_is_distant(map, within) {
-      waves.variance += water_whole_covariance(map, at);
+      waves.variance += own_gust * water_whole_covariance(map, at);
     } else if share < 1.0 {
-      water_add_waves(&waves, at, within, c, share);
+      water_add_waves(&waves, at, within, c, share, own_gust);
     }
   }
   waves.sums.slope += water_bound_slope(waves.sums, moved);

@@ -49,8 +49,9 @@ fn water_add_slope_change(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along
   return out;
 }
 
-// Radiance towards the eye of a point of the water with the slope statistics `seen`; alpha as in frame_hdr_output.
-fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> vec4f {
+// Radiance towards the eye of a point of the water with the slope statistics `seen`, for which `gust` is
+// water_gust_gain, in the given pixel of the picture; alpha as in frame_hdr_output.
+fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gust: f32, pixel: vec2u) -> vec4f {
   var slope = seen;
   let nearness = inverseSqrt(dot(point.position, point.position));
   let dir = point.position * nearness;
@@ -67,7 +68,8 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
   if WATER_POINT_SAMPLES {
     let shown = water_round_footprint(mesh_spacing(length(point.undisplaced)));
     let no_ripples = water_round_footprint(1e6);
-    around = water_slope_with_carried(point.undisplaced, water_moved(point), shown, no_ripples, WaterDerivatives(), false);
+    around = water_slope_with_carried(
+      point.undisplaced, water_moved(point), shown, no_ripples, WaterDerivatives(), false, gust);
     around.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   }
 
@@ -75,7 +77,8 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope) -> 
   if WATER_FOAM {
     foam = foam_level(point.undisplaced, foot);
   }
-  let mirror = water_mirror_among(v, slope, around);
+  let glints = WaterGlints(foot.length_m * foot.width_m, pixel);
+  let mirror = water_mirror_among(v, slope, around, glints);
   // Viewing ray after refraction at the mean facet.
   let ray = water_refract(-v, n);
   var below = water_deep_radiance(n, ray, foam.x);

@@ -344,12 +344,9 @@ impl Ocean {
             ..self.appearance.cross_faded_value(share)
         };
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
+        let camera = relative_to_still_water(&self.params.camera, sea.still_water_level_m);
         Scene {
-            view: View::new(
-                &relative_to_still_water(&self.params.camera, sea.still_water_level_m),
-                aspect,
-                MIN_EYE_HEIGHT_M,
-            ),
+            view: View::new(&camera, aspect, MIN_EYE_HEIGHT_M),
             look: self.params.look.clone(),
             height_from_waves: self.params.camera.mode == CameraMode::Buoy,
             hulls: self.hull_poses(),
@@ -361,6 +358,7 @@ impl Ocean {
             mean_foam: self.sim.mean_foam(),
             may_keep_pipelines: self.may_keep_pipelines,
             is_lean: self.is_lean,
+            t_s: self.params.clock.t_s,
             cloud_drift_m: sea.cloud_velocity_m_s.map(|v| v * self.params.clock.t_s),
             sea,
         }

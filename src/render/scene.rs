@@ -27,6 +27,8 @@ pub struct Scene {
     /// Mean amount of foam, 0 (none) to 1 (full cover), that is expected for the sea state; drawn where no foam level
     /// (square foam grid around the camera) reaches.
     pub mean_foam: f64,
+    /// Simulated time, s.
+    pub t_s: f64,
     /// Distance that the clouds have drifted along x and z since time 0, m.
     pub cloud_drift_m: [f64; 2],
     /// Colour scales of a false-colour view, one for each cascade or, in a view of foam, each foam level; else unused.

@@ -76,6 +76,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/fresnel.wgsl"),
     part!("water/facets.wgsl"),
     MIRRORED_MAP,
+    part!("water/glints.wgsl"),
     part!("water/mirror.wgsl"),
     part!("water/body.wgsl"),
     part!("water/bed.wgsl"),

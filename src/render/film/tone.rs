@@ -18,7 +18,8 @@ gpu_struct! {
     pub struct ToneUniform as "Tone" {
         /// Width and height of the picture, pixels.
         size: [f32; 2],
-        /// Factor on the automatic or fixed exposure: 2 to the power of the exposure setting, EV.
+        /// Factor on the automatic or fixed exposure: 2 to the power of the exposure setting, EV, and with automatic
+        /// exposure the factor of a camera that faces the sun.
         exposure_gain: f32,
         /// Exposure (a factor on radiance, before `exposure_gain`) that replaces the automatic one; 0 if automatic.
         fixed_exposure: f32,
@@ -35,10 +36,21 @@ gpu_struct! {
 
 /// Automatic exposure (factor from radiance to the tone curve's input) of a clear noon with the sun 60 degrees high.
 /// Divided by `night_gain`, it is also the fixed exposure at 0 EV.
-pub const NOON_EXPOSURE: f32 = 0.444;
+pub const NOON_EXPOSURE: f32 = 0.786;
 /// Format of the finished picture. Eight bits are what screens and files take: the tone pass rounds and dithers, so
 /// that the present pass can copy, and a picture costs no more memory traffic than it must.
 pub const FINISHED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// Factor on the exposure of a camera that faces the sun, whose bright surroundings fill the picture: down to 0.38.
+fn facing_sun_factor(scene: &Scene) -> f64 {
+    let sky = &scene.look.sky;
+    let sun = glam::DVec3::from(sky.sun_direction());
+    let angle_deg = sun.dot(scene.view.forward).clamp(-1.0, 1.0).acos().to_degrees();
+    // The sun's surroundings are bright until it is some degrees below the horizon.
+    let up = ((sun.y.asin().to_degrees() + 3.0) / 6.0).clamp(0.0, 1.0);
+    let brightness = up * (1.0 - sky.overcast).powi(2) * (-(angle_deg / 30.0).powi(2)).exp();
+    1.0 / (1.0 + 1.6 * brightness)
+}
 
 /// The pass that turns the linear light of a picture into screen colours, at the picture's size: it smooths edges and
 /// applies bloom, exposure, tone curve and dither.
@@ -128,7 +140,8 @@ impl TonePass {
         let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
         let uniform = ToneUniform {
             size: size.map(|s| s as f32),
-            exposure_gain: (film.exposure_ev as f32).exp2(),
+            exposure_gain: (film.exposure_ev.exp2() * if film.auto_exposure { facing_sun_factor(scene) } else { 1.0 })
+                as f32,
             fixed_exposure: if film.auto_exposure { 0.0 } else { fixed },
             curve: film.tone as u32,
             bloom_fraction: film.bloom as f32,

@@ -30,6 +30,10 @@ struct WaterLightVariant {
     /// Whether waves focus sunlight into caustics on the bed.
     caustics: bool,
     foam: bool,
+    /// Whether gusts and slicks vary the roughness of the water.
+    gusts: bool,
+    /// Whether the sun's glitter consists of separate glints.
+    glints: bool,
     /// Whether the sun's glitter has a Blinn-Phong lobe instead of the Gaussian distribution of slopes.
     blinn_phong: bool,
     /// Whether a GGX (Trowbridge-Reitz) distribution of slopes replaces the Gaussian one.
@@ -53,6 +57,8 @@ impl WaterLightVariant {
             bed,
             caustics: bed && surface.bed.caustics > 0.0,
             foam: surface.foam.coverage_factor > 0.0,
+            gusts: surface.reflection.gusts > 0.0,
+            glints: surface.reflection.glints && output != OutputKind::Reference,
             blinn_phong: surface.reflection.specular == MicrofacetDistribution::BlinnPhong,
             ggx: surface.reflection.specular == MicrofacetDistribution::Ggx,
             schlick: surface.reflection.fresnel == FresnelFormula::Schlick,
@@ -63,11 +69,13 @@ impl WaterLightVariant {
         }
     }
 
-    fn constants(self) -> [(&'static str, f64); 9] {
+    fn constants(self) -> [(&'static str, f64); 11] {
         [
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_CAUSTICS", self.caustics),
             switch_constant("WATER_FOAM", self.foam),
+            switch_constant("WATER_GUSTS", self.gusts),
+            switch_constant("WATER_GLINTS", self.glints),
             switch_constant("WATER_PHONG", self.blinn_phong),
             switch_constant("WATER_GGX", self.ggx),
             switch_constant("WATER_SCHLICK", self.schlick),

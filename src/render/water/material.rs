@@ -8,13 +8,14 @@ use crate::state::fields::linear_rgb;
 use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
-/// Number of noise layers, each the noise texture at its own size and angle: four for foam, two for the bed.
-const NOISE_LAYERS: usize = 6;
+/// Number of noise layers, each the noise texture at its own size and angle: four for foam, two for the bed, and two for
+/// the roughness of the water.
+const NOISE_LAYERS: usize = 8;
 /// Shape of a noise layer: sides of its tile along and across its axis, m; angle from the wind to the axis, degrees;
 /// relative lengthening of the tile along the axis in a storm.
 type LayerShape = (f64, f64, f64, f64);
 /// Shapes of the noise layers: four of foam (windrows, patches, strands, bubbles), two of sand (patches with ripple
-/// marks, grains). Sides and angles have no common period, so that the sum of the layers does not repeat.
+/// marks, grains), gusts and slicks. Sides and angles have no common period, so that the sum of the layers does not repeat.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     (430.0, 430.0, 0.0, 5.0),
     (71.0, 71.0, 7.0, 2.6),
@@ -23,7 +24,14 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     // The ripple marks of the sand have 38.6 periods per tile (shaders/water/bed.wgsl).
     (12.35, 12.35, 63.0, 0.0),
     (0.97, 0.97, 11.0, 0.0),
+    (910.0, 620.0, 4.0, 0.5),
+    (260.0, 149.0, -7.0, 2.0),
 ];
+/// Speed of each noise layer along the wind, relative to the wind's speed at 10 m: gusts are carried by the air, slicks
+/// by the water's surface current. Foam moves with the water that it lies on.
+const LAYER_SPEEDS: [f64; NOISE_LAYERS] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.7, 0.03];
+/// Time for which a glint of the sun lasts, s.
+const GLINT_MOMENT_S: f64 = 0.06;
 /// Fraction of light that must remain after the way straight down to the bed and back, or else the bed is not drawn.
 const MIN_BED_TRANSMITTANCE: f64 = 1e-3;
 
@@ -42,18 +50,13 @@ gpu_struct! {
 }
 
 impl NoiseLayer {
-    /// The transformation for a noise layer and an eye above the world position `below_eye` (x, z), m. `gale` goes from
+    /// The transformation for a noise layer and an eye above the position `below_eye` (x, z) on it, m. `gale` goes from
     /// 0 to 1 with the wind and lengthens the layer's tile along its axis.
-    fn new(
-        (along_m, across_m, turn_deg, longer): LayerShape,
-        downwind: [f64; 2],
-        gale: f64,
-        below_eye: [f64; 2],
-    ) -> Self {
+    fn new((along_m, across_m, turn_deg, longer): LayerShape, downwind: [f64; 2], gale: f64, below_eye: DVec2) -> Self {
         let axis = DVec2::from(downwind).rotate(DVec2::from_angle(turn_deg.to_radians()));
         let along = axis / (along_m * (1.0 + longer * gale));
         let across = axis.perp() / across_m;
-        let at = |row: DVec2| row.dot(below_eye.into()).rem_euclid(1.0) as f32;
+        let at = |row: DVec2| row.dot(below_eye).rem_euclid(1.0) as f32;
         let texels_per_m = f64::from(NOISE_SIDE) * (along.length() * across.length()).sqrt();
         Self {
             uv_from_position: DMat2::from_cols(along, across).transpose().as_mat2(),
@@ -124,6 +127,11 @@ gpu_struct! {
         caustic_filter_m: f32,
         /// Square of `relative_index`, less 1, and the reciprocal of that, or 0 if the indices are equal.
         index_contrast: [f32; 2],
+        /// Strength of gusts and slicks, 0 to 1, which vary the slope variance of short waves from place to place.
+        gust_strength: f32,
+        /// Number of the moment, of some hundredths of a second, for which the sun's glints stay where they are.
+        glint_moment: u32,
+        unused: [f32; 2],
     }
 }
 
@@ -138,7 +146,8 @@ impl MaterialUniform {
         let single = |c: [f64; 3]| c.map(|x| x as f32);
         let gale = ((scene.sea.wind_m_s - 8.0) / 16.0).clamp(0.0, 1.0);
         let gale = gale * gale * (3.0 - 2.0 * gale);
-        let below_eye = [scene.view.eye.x, scene.view.eye.z];
+        let below_eye = DVec2::new(scene.view.eye.x, scene.view.eye.z);
+        let wind_path_m = DVec2::from(scene.sea.downwind) * (scene.sea.wind_m_s * scene.t_s);
         let into_water = reflection.index_air / reflection.index_water;
         let contrast = into_water.powi(-2) - 1.0;
         let [sun_x, _, sun_z] = scene.look.sky.sun_direction();
@@ -161,7 +170,10 @@ impl MaterialUniform {
             refracted_sun_sine: (1.0 - (into_water * sun_cosine).powi(2)).max(0.0).sqrt() as f32,
             bed_colour: colour(bed.colour),
             sunlight_scatter_factor: scattering.diffuse_strength as f32,
-            noise_layers: LAYER_SHAPES.map(|shape| NoiseLayer::new(shape, scene.sea.downwind, gale, below_eye)),
+            noise_layers: std::array::from_fn(|i| {
+                let on_layer = below_eye - LAYER_SPEEDS[i] * wind_path_m;
+                NoiseLayer::new(LAYER_SHAPES[i], scene.sea.downwind, gale, on_layer)
+            }),
             inverse_relative_index: into_water as f32,
             schlick_exponent: reflection.schlick_exponent as f32,
             fresnel_scale: reflection.fresnel_scale as f32,
@@ -178,6 +190,9 @@ impl MaterialUniform {
             caustic_strength: bed.caustics as f32,
             caustic_filter_m: scene.sea.caustic_filter_m as f32,
             index_contrast: [contrast, if contrast == 0.0 { 0.0 } else { contrast.recip() }].map(|x| x as f32),
+            gust_strength: reflection.gusts as f32,
+            glint_moment: (scene.t_s / GLINT_MOMENT_S).floor().rem_euclid(f64::from(u32::MAX)) as u32,
+            unused: [0.0; 2],
         }
     }
 }

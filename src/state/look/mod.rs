@@ -33,6 +33,8 @@ parameters! {
 choice_enum! {
     /// Tone-mapping curve from scene light to display values.
     pub enum ToneMapping {
+        /// Film curve of this program, with a long shoulder, which keeps half of the hue of bright colours.
+        Film = "film",
         /// AgX tone mapping, Sobotka 2022.
         Agx = "agx",
         /// Tone-mapping curve of the ACES reference and output transform, as fitted by Hill 2016.
@@ -49,15 +51,16 @@ choice_enum! {
 parameters! {
     /// Exposure, tone mapping, bloom and dither.
     pub struct FilmLook {
-        /// Adapts the exposure to the scene light, but not completely: dusk stays darker than noon.
+        /// Adapts the exposure to the scene light, but not completely: dusk stays darker than noon. A picture that faces
+        /// the sun is exposed less.
         auto_exposure: bool = true => ("autoexposure", "Automatic exposure", "", Flag),
         /// Exposure in stops, relative to the automatic exposure or, without it, to the exposure of a clear noon (sun
         /// at 60 degrees); then a sunset needs about 3, dusk 8, a moonless night 20.
         exposure_ev: f64 = 0.0 => ("exposure", "Exposure", "EV", number(-8.0, 24.0)),
-        /// Tone-mapping curve from scene light to display. agx: Sobotka (2022), with added contrast and saturation;
-        /// aces: Hill's fit (2016); reinhard: x/(1+x) (2002); neutral: Khronos PBR Neutral (2024); linear: clipped at
-        /// white.
-        tone: ToneMapping = ToneMapping::Agx => ("tone", "Tone curve", "", Choice(ToneMapping::WORDS)),
+        /// Tone-mapping curve from scene light to display. film: highlights that fade slowly to white and keep their
+        /// hue; agx: Sobotka (2022), with added contrast and saturation; aces: Hill's fit (2016); reinhard: x/(1+x)
+        /// (2002); neutral: Khronos PBR Neutral (2024); linear: clipped at white.
+        tone: ToneMapping = ToneMapping::Film => ("tone", "Tone curve", "", Choice(ToneMapping::WORDS)),
         /// Fraction of the light that the lens scatters around bright objects (Jimenez 2014); the total light does not
         /// change. 0.04 is a clean lens, 0.3 a misted one.
         bloom: f64 = 0.0 => ("bloom", "Bloom", "", number(0.0, 1.0), "off"),

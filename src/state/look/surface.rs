@@ -1,7 +1,7 @@
 //! Appearance of the water, its foam and the sea bed.
 
 use crate::optics::water::WaterType;
-use crate::state::field::FieldKind::{Choice, Colour};
+use crate::state::field::FieldKind::{Choice, Colour, Flag};
 use crate::state::field::{FieldValue, WHITE_RGB, choice_enum, logarithmic, number, parameters};
 
 /// Appearance of the water, its foam and the sea bed.
@@ -110,6 +110,12 @@ parameters! {
         /// Roughness r of the water in addition to the unresolved waves: adds r^4 / 2 to the slope variance along each
         /// axis.
         roughness: f64 = 0.0 => ("roughness", "Water roughness", "", number(0.0, 1.0)),
+        /// Shows the sun's glitter as separate glints, whose number in a pixel is random (Longuet-Higgins 1960); the mean
+        /// light does not change.
+        glints: bool = false => ("glints", "Separate glints", "", Flag),
+        /// How much gusts and slicks vary the slope variance of the short waves from place to place: 1 is typical of a
+        /// steady wind. The mean over the sea does not change.
+        gusts: f64 = 0.0 => ("gusts", "Gusts and slicks", "", number(0.0, 1.0), "even"),
     }
 }
 
