@@ -19,8 +19,8 @@ const DOME_FAR_KM = 140.0;
 const DOME_LEAST_TRANSMITTANCE = 0.01;
 // Shares of single, less often and often scattered sunlight, with the factors on extinction and asymmetry for each
 // (Wrenninge et al. 2013). They are chosen so that a thick cloud reflects half of the sunlight.
-const DOME_OCTAVE_WEIGHT = vec3f(1.0, 0.9, 2.6);
-const DOME_OCTAVE_EXTINCTION = vec3f(1.0, 0.35, 0.09);
+const DOME_OCTAVE_WEIGHT = vec3f(1.0, 1.0, 2.0);
+const DOME_OCTAVE_EXTINCTION = vec3f(1.0, 0.3, 0.1);
 const DOME_OCTAVE_ASYMMETRY = vec3f(1.0, 0.6, 0.2);
 // Diffuse light that falls on cloud of the optical depth x passes with the fraction 1 / (1 + DOME_DIFFUSE * x).
 const DOME_DIFFUSE = 0.1;
@@ -35,15 +35,16 @@ fn dome_phase(c: f32) -> vec3f {
   return out * DOME_OCTAVE_WEIGHT;
 }
 
-// Optical depth from p towards the sun: samples at growing distances. `first_km` is the length of the first step.
-fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32) -> f32 {
+// Optical depth from p towards the sun: samples at growing distances, the first ones with the share `detail` of the fine
+// noise. `first_km` is the length of the first step.
+fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, detail: f32) -> f32 {
   var depth = 0.0;
   var step_km = first_km;
   var at = p;
-  for (var i = 0; i < 6; i++) {
-    depth += step_km * cloud_coarse_density(at + (0.5 * step_km) * sun);
+  for (var i = 0; i < 7; i++) {
+    depth += step_km * cloud_density(at + (0.5 * step_km) * sun, select(0.0, detail, i < 3), 1.4 * step_km);
     at += step_km * sun;
-    step_km *= 1.75;
+    step_km *= 1.6;
   }
   return depth * cloud_field.extinction_per_km;
 }
@@ -62,7 +63,6 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
   let ray = cloud_turned(dir);
   let sun = cloud_turned(sky.sun_direction);
   let phase = dome_phase(dot(dir, sky.sun_direction));
-  let over_layer = 1.0 / cloud_field.layers_per_km;
   var out = DomeLight(0.0, 0.0, 0.0, 1.0, near);
   var seen = 1e-6;
   var distance_sum = near * seen;
@@ -74,33 +74,35 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
     let alt = atm_altitude_along_ray(0.0, dir.y, t);
     let p = vec3f(cloud_field.eye_km.x + ray.x * t, alt, cloud_field.eye_km.y + ray.z * t);
     let finest = max(cloud_field.step_km, 0.004 * t);
-    let depth = cloud_depth(p);
+    let place = cloud_depth(p);
+    let depth = place.x;
+    // Fine noise that is finer than the dome's texels fades to its mean.
+    let detail = 1.0 - smoothstep(0.3, 1.2, 0.0075 * t * cloud_field.details_per_km);
     var inside = depth;
     if depth > -0.5 * cloud_field.shape_amplitude {
-      let detail = 1.0 - smoothstep(0.3, 1.2, 0.0025 * t * cloud_field.details_per_km * 3.0);
       inside = cloud_rough_depth(p, depth, detail);
     } else {
-      inside += 0.4 * cloud_field.shape_amplitude;
+      inside += 0.45 * cloud_field.shape_amplitude;
     }
     if inside <= 0.0 {
-      // Nothing lies nearer than the depth over its steepest change.
-      t += clamp(-inside * over_layer * cloud_field.stride, 0.7 * finest, 12.0 * finest + 0.02 * t);
+      // Nothing lies much nearer than the depth.
+      t += clamp(-inside * cloud_field.stride, 0.7 * finest, 12.0 * finest + 0.02 * t);
       continue;
     }
-    let density = cloud_density_at(p, inside);
+    let density = saturate(inside * cloud_field.sharpness);
     let extinction = density * cloud_field.extinction_per_km;
     let step_km = finest * (1.0 + 2.5 * (1.0 - out.transmittance));
     if density > 0.002 {
-      let tau = dome_sun_depth(p, sun, 1.2 * cloud_field.step_km);
+      let tau = dome_sun_depth(p, sun, 1.2 * cloud_field.step_km, detail);
       let octaves = exp(-tau * DOME_OCTAVE_EXTINCTION);
       let rise = max(alt - cloud_field.base_km, 0.0);
-      let over_km = max(depth, 0.0) * over_layer;
+      let over_km = max(place.y, 0.0);
       let above = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * over_km);
       let below = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * rise);
       let passed = exp(-extinction * step_km);
       let share = out.transmittance * (1.0 - passed);
       // Light that has been scattered often is weaker at the very surface, from which it escapes.
-      let buried = 1.0 - 0.55 * exp(-0.35 * (tau + 6.0 * inside));
+      let buried = 1.0 - 0.7 * exp(-0.35 * (tau + cloud_field.extinction_per_km * 0.1 * inside));
       let shine = phase * octaves;
       out.sun += share * (shine.x + shine.y + shine.z * buried);
       out.sky += share * 0.5 * above;
@@ -151,8 +153,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let sun = atm_linear_srgb(lit) * sky.sun_tint * pow(1.0 - sky.overcast, 1.5);
       let deck = light.overcast_zenith_radiance * (7.0 / 9.0);
       let from_sky = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
-      let from_sea = (ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0)) * (ATM_SEA_ALBEDO / ATM_PI)
-        + 0.35 * from_sky;
+      // The sea and the low air return little of the light that falls on them between the clouds.
+      let on_sea = ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0);
+      let from_sea = (on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky) * mix(0.2, 1.0, light.cloud_sun_transmittance);
       let radiance = seen.sun * sun + seen.sky * from_sky + seen.sea * from_sea;
       let air = dome_air_transmittance(dir.y, seen.distance_km);
       let whole = dome_air_transmittance(dir.y, 1e3);

@@ -1,5 +1,5 @@
 // Fills the repeating map of the clouds' height above their base, as a fraction of the layer's thickness: positive where
-// there is cloud, and falling below 0 away from it.
+// there is cloud, and falling below 0 away from it (red); and of the steepness of that height, 1/tile (green).
 
 @group(0) @binding(0) var<uniform> cloud_field: CloudField;
 @group(0) @binding(1) var weather_out: texture_storage_2d<rgba16float, write>;
@@ -42,10 +42,10 @@ fn weather_fractal(at: vec2f, period: i32, key: u32) -> f32 {
 // Heaps of cloud: the highest of paraboloids at random points, one in each of `cells` x `cells` cells of the tile.
 // `area` is the sum of their areas divided by that of the tile, `steepness` the height of a heap divided by its radius,
 // both as fractions of tile and layer.
-fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> f32 {
+fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> vec2f {
   let p = at * f32(cells);
   let cell = vec2i(floor(p));
-  var high = -1.0;
+  var high = vec2f(-1.0, 0.0);
   for (var i = 0; i < 25; i++) {
     let off = vec2i(i % 5, i / 5) - 2;
     let random = weather_random(cell + off, cells, key);
@@ -56,7 +56,11 @@ fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> 
     let radius = min(sqrt(mean_square), 1.5);
     let size = min(steepness * radius * (0.7 + 0.6 * random.w), 1.0);
     let d = middle - p;
-    high = max(high, size * (1.0 - dot(d, d) / (radius * radius + 1e-4)));
+    let square = radius * radius + 1e-4;
+    let here = size * (1.0 - dot(d, d) / square);
+    if here > high.x {
+      high = vec2f(here, 2.0 * size * min(length(d), radius) / square * f32(cells));
+    }
   }
   return high;
 }
@@ -89,26 +93,25 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let at = bare + 0.012 * bend;
   let cover = cloud_field.cover;
   let area = -log(max(1.0 - cover, 0.02));
-  var high = -1.0;
+  var high = vec2f(-1.0, 0.0);
   if cloud_field.kind == CLOUD_CUMULUS || cloud_field.kind == CLOUD_TOWERING {
-    let wide = weather_heaps(at, 15, 0.62 * area, cloud_field.steepness / 15.0, 1u);
-    let narrow = weather_heaps(at, 36, 0.38 * area, 1.15 * cloud_field.steepness / 36.0, 11u);
-    high = max(wide, narrow);
+    let wide = weather_heaps(at, 20, 0.6 * area, cloud_field.steepness / 20.0, 1u);
+    let narrow = weather_heaps(at, 47, 0.4 * area, 1.15 * cloud_field.steepness / 47.0, 11u);
+    high = select(narrow, wide, wide.x > narrow.x);
   } else if cloud_field.kind == CLOUD_STRATOCUMULUS {
     // Pancakes that are longer across the wind than along it, parted by cracks.
     let pancakes = 0.62 - weather_cells(at, 26, 5u) + 0.35 * (0.62 - weather_cells(at, 55, 6u));
     let patches = weather_fractal(at, 5, 17u);
     let n = 1.5 * pancakes + 1.1 * patches;
-    high = 0.62 * (n - 0.46 * weather_normal_quantile(cover));
+    high.x = 0.62 * (n - 0.3 - 0.46 * weather_normal_quantile(cover));
   } else if cloud_field.kind == CLOUD_CIRRUS {
     let n = weather_fractal(vec2f(at.x, at.y), 4, 23u) + 0.35 * weather_fractal(at, 11, 29u);
-    high = 1.6 * (n - 0.31 * weather_normal_quantile(cover));
+    high.x = 1.6 * (n - 0.31 * weather_normal_quantile(cover));
   } else {
     // A storm deck has few gaps at any cover.
-    let n = weather_fractal(at, 4, 41u);
+    let n = weather_fractal(at, 4, 41u) + 0.35 * weather_fractal(at, 19, 45u);
     let open = (1.0 - cover) * (1.0 - cover);
-    high = 0.55 + 1.3 * (n - 0.29 * weather_normal_quantile(1.0 - open * (1.0 - cover)));
-    high = select(high, 0.55 * saturate(high / 0.55) + 0.6 * (high - 0.55), high > 0.55);
+    high.x = 0.55 + 1.5 * (n - 0.29 * weather_normal_quantile(1.0 - open * (1.0 - cover)));
   }
-  textureStore(weather_out, id.xy, vec4f(clamp(high, -1.0, 1.0), 0.0, 0.0, 1.0));
+  textureStore(weather_out, id.xy, vec4f(clamp(high.x, -1.0, 1.0), high.y, 0.0, 1.0));
 }
