@@ -161,7 +161,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let whole = dome_air_transmittance(dir.y, 1e3);
       let hazed = (1.0 - air) / max(1.0 - whole, vec3f(1e-3));
       let clear = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), veil);
-      out = vec4f(radiance * air + clear * saturate(hazed) * (1.0 - seen.transmittance), seen.transmittance);
+      let before = clear * saturate(hazed) * (sky_shaded_air() * (1.0 - seen.transmittance));
+      out = vec4f(radiance * air + before, seen.transmittance);
     }
   }
   textureStore(dome_out, vec2u(id.x, row), cloud_field.layer, vec4f(min(out.rgb, vec3f(6e4)), out.a));

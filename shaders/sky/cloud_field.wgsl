@@ -24,9 +24,9 @@ fn cloud_rough_depth(p: vec3f, depth: f32, detail: f32) -> f32 {
     let s = cloud_field.shapes_per_km;
     let at = vec3f(p.x / 3.0, p.y, p.z) * (0.25 * s);
     let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, at, 0.0).b - 0.5;
-    let q = vec3f(p.x / 12.0, p.y, p.z + 1.4 * bend / s) * s;
+    let q = vec3f(p.x / 12.0, p.y, p.z + 0.9 * bend / s) * s;
     let wide = textureSampleLevel(cloud_noise_map, cloud_sampler, q, 0.0).b;
-    let r = vec3f(p.x / 16.0, p.y, p.z + 1.4 * bend / s) * cloud_field.details_per_km;
+    let r = vec3f(p.x / 16.0, p.y, p.z + 0.9 * bend / s) * cloud_field.details_per_km;
     let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, r, 0.0).b;
     let fibres = cloud_field.shape_amplitude * (wide - 0.58) + detail * cloud_field.detail_amplitude * (fine - 0.5);
     return depth + fibres;
@@ -34,18 +34,18 @@ fn cloud_rough_depth(p: vec3f, depth: f32, detail: f32) -> f32 {
   let shape = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.shapes_per_km, 0.0).r;
   // Few heads stand free of the cloud.
   let amplitude = cloud_field.shape_amplitude;
-  var inside = depth + amplitude * saturate(1.0 + 1.6 * depth / amplitude) * (shape - 0.5);
+  var inside = depth + amplitude * saturate(1.0 + 2.0 * depth / amplitude) * (shape - 0.5);
   let rise_km = p.y - cloud_field.base_km;
-  var bump = 3.0 * (shape - 0.45);
-  if detail > 0.0 && abs(inside) < 2.0 * cloud_field.detail_amplitude {
+  var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
+  if detail > 0.0 && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
     let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.details_per_km, 0.0).g;
     // Heads above, wisps at the base.
     let heads = mix(0.9 - fine, fine, saturate(0.25 + 6.0 * rise_km * cloud_field.layers_per_km));
     inside += detail * cloud_field.detail_amplitude * (heads - 0.45);
-    bump += detail * 0.8 * (fine - 0.45);
+    bump_km += 0.8 * detail * cloud_field.detail_amplitude * (fine - 0.45);
   }
   // The base is nearly flat.
-  return min(inside, (rise_km * cloud_field.base_sharpness - bump) / cloud_field.sharpness);
+  return min(inside, (rise_km - bump_km) * (cloud_field.base_sharpness / cloud_field.sharpness));
 }
 
 // Density at a point with the share `detail` of the fine noise, averaged over about `blur_km`.

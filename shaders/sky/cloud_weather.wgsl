@@ -111,7 +111,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     // A storm deck has few gaps at any cover.
     let n = weather_fractal(at, 4, 41u) + 0.35 * weather_fractal(at, 19, 45u);
     let open = (1.0 - cover) * (1.0 - cover);
-    high.x = 0.55 + 1.5 * (n - 0.29 * weather_normal_quantile(1.0 - open * (1.0 - cover)));
+    high.x = 0.6 + 1.3 * (n - 0.29 * weather_normal_quantile(1.0 - open * (1.0 - cover)));
   }
   textureStore(weather_out, id.xy, vec4f(clamp(high.x, -1.0, 1.0), high.y, 0.0, 1.0));
 }

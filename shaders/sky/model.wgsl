@@ -18,6 +18,11 @@ fn sky_overcast_radiance(above: f32) -> vec3f {
   return light.overcast_zenith_radiance * (1.0 + 2.0 * sin(max(above, 0.0))) / 3.0;
 }
 
+// Light of the air below volumetric clouds, which shade it, relative to that of clear air.
+fn sky_shaded_air() -> f32 {
+  return mix(0.4, 1.0, light.cloud_sun_transmittance);
+}
+
 // Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading
 // `image_heading_turns`.
 fn sky_image_uv(dir: vec3f) -> vec2f {

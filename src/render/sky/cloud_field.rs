@@ -50,7 +50,9 @@ gpu_struct! {
         /// First row that the dome pass fills, and the distance to the next.
         pub first_row: u32,
         pub row_step: u32,
-        pub unused: [u32; 2],
+        /// Height of the bumps of the base, km.
+        pub base_bump_km: f32,
+        pub unused: u32,
     }
 }
 
@@ -66,6 +68,7 @@ struct Kind {
     detail_amplitude_km: f64,
     /// Depth in which the cloud becomes dense, and the height above its base, km.
     soft_km: [f64; 2],
+    base_bump_km: f64,
     /// Height of a heap divided by its radius.
     slope: f64,
     step_km: f64,
@@ -84,6 +87,7 @@ const CUMULUS: Kind = Kind {
     shape_amplitude_km: 0.55,
     detail_amplitude_km: 0.18,
     soft_km: [0.018, 0.04],
+    base_bump_km: 0.08,
     slope: 1.0,
     step_km: 0.012,
     stride: 0.6,
@@ -99,6 +103,7 @@ const STRATOCUMULUS: Kind = Kind {
     shape_amplitude_km: 0.25,
     detail_amplitude_km: 0.11,
     soft_km: [0.04, 0.06],
+    base_bump_km: 0.1,
     stride: 0.7,
     ..CUMULUS
 };
@@ -112,6 +117,7 @@ const TOWERING: Kind = Kind {
     shape_amplitude_km: 0.8,
     detail_amplitude_km: 0.2,
     soft_km: [0.03, 0.05],
+    base_bump_km: 0.12,
     slope: 2.3,
     step_km: 0.02,
     stride: 0.6,
@@ -127,6 +133,7 @@ const CIRRUS: Kind = Kind {
     shape_amplitude_km: 2.5,
     detail_amplitude_km: 1.8,
     soft_km: [1.6, 0.02],
+    base_bump_km: 0.0,
     slope: 1.0,
     step_km: 0.12,
     stride: 0.25,
@@ -137,11 +144,12 @@ const STORM: Kind = Kind {
     thickness_km: 2.2,
     tile_km: 48.0,
     extinction_per_km: 50.0,
-    shape_km: 4.0,
-    detail_km: 0.8,
+    shape_km: 3.0,
+    detail_km: 0.6,
     shape_amplitude_km: 1.2,
     detail_amplitude_km: 0.3,
-    soft_km: [0.1, 0.3],
+    soft_km: [0.06, 0.12],
+    base_bump_km: 0.35,
     slope: 1.0,
     step_km: 0.025,
     stride: 0.6,
@@ -200,7 +208,8 @@ impl Clouds {
             eye_km: along(eye_km).map(|p| p.rem_euclid(kind.tile_km) as f32),
             first_row: 0,
             row_step: 1,
-            unused: [0; 2],
+            base_bump_km: kind.base_bump_km as f32,
+            unused: 0,
         };
         Some(Self { field, eye_km })
     }

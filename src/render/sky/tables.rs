@@ -300,7 +300,11 @@ impl SkyTables {
         }
         match &clouds {
             Some(clouds) => {
-                is_outdated |= self.clouds.record_dome(gpu, encoder, timer, scene, (clouds, &wanted));
+                if self.clouds.record_dome(gpu, encoder, timer, scene, (clouds, &wanted)) && !is_outdated {
+                    // The passes that follow begin with the light of the clear sky.
+                    self.clear_passes.iter().for_each(|pass| pass.run(encoder, timer));
+                    is_outdated = true;
+                }
             }
             None => self.clouds.clear(gpu),
         }
