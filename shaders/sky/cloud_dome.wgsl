@@ -155,7 +155,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let from_sky = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
       // The sea and the low air return little of the light that falls on them between the clouds.
       let on_sea = ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0);
-      let from_sea = (on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky) * mix(0.2, 1.0, light.cloud_sun_transmittance);
+      let from_sea = (on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky) * mix(0.2, 1.0, sky_open_share());
       let radiance = seen.sun * sun + seen.sky * from_sky + seen.sea * from_sea;
       let air = dome_air_transmittance(dir.y, seen.distance_km);
       let whole = dome_air_transmittance(dir.y, 1e3);

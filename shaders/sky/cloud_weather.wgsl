@@ -57,7 +57,8 @@ fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> 
     let size = min(steepness * radius * (0.7 + 0.6 * random.w), 1.0);
     let d = middle - p;
     let square = radius * radius + 1e-4;
-    let here = size * (1.0 - dot(d, d) / square);
+    // The smallest heaps have dissolved.
+    let here = size * (1.0 - dot(d, d) / square) - 0.06;
     if here > high.x {
       high = vec2f(here, 2.0 * size * min(length(d), radius) / square * f32(cells));
     }

@@ -18,9 +18,14 @@ fn sky_overcast_radiance(above: f32) -> vec3f {
   return light.overcast_zenith_radiance * (1.0 + 2.0 * sin(max(above, 0.0))) / 3.0;
 }
 
+// Fraction of the sky that volumetric clouds leave open, seen from straight below: a low sun passes through more clouds.
+fn sky_open_share() -> f32 {
+  return pow(light.cloud_sun_transmittance, clamp(sky.sun_direction.y, 0.05, 1.0));
+}
+
 // Light of the air below volumetric clouds, which shade it, relative to that of clear air.
 fn sky_shaded_air() -> f32 {
-  return mix(0.4, 1.0, light.cloud_sun_transmittance);
+  return mix(0.4, 1.0, sky_open_share());
 }
 
 // Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading
