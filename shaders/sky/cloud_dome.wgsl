@@ -24,6 +24,8 @@ const DOME_OCTAVE_EXTINCTION = vec3f(1.0, 0.3, 0.1);
 const DOME_OCTAVE_ASYMMETRY = vec3f(1.0, 0.6, 0.2);
 // Diffuse light that falls on cloud of the optical depth x passes with the fraction 1 / (1 + DOME_DIFFUSE * x).
 const DOME_DIFFUSE = 0.1;
+// Share of the sunlight on the top of a cloud that diffuses down beyond the reach of the octaves.
+const DOME_SUN_IN_DEPTH = 0.22;
 
 // Phase function of droplets, 1/sr: forward and backward lobes. The three components are for the octaves.
 fn dome_phase(c: f32) -> vec3f {
@@ -80,7 +82,7 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
     let detail = 1.0 - smoothstep(0.3, 1.2, 0.0075 * t * cloud_field.details_per_km);
     var inside = depth;
     if depth > -0.5 * cloud_field.shape_amplitude {
-      inside = cloud_rough_depth(p, depth, detail);
+      inside = cloud_rough_depth(p, place, detail);
     } else {
       inside += 0.45 * cloud_field.shape_amplitude;
     }
@@ -156,7 +158,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       // The sea and the low air return little of the light that falls on them between the clouds.
       let on_sea = ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0);
       let from_sea = (on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky) * mix(0.2, 1.0, sky_open_share());
-      let radiance = seen.sun * sun + seen.sky * from_sky + seen.sea * from_sea;
+      // Deep in a cloud, the light from above is that of sky and sun together.
+      let from_above = from_sky + sun * (DOME_SUN_IN_DEPTH * max(sky.sun_direction.y, 0.0) / ATM_PI);
+      let radiance = seen.sun * sun + seen.sky * from_above + seen.sea * from_sea;
       let air = dome_air_transmittance(dir.y, seen.distance_km);
       let whole = dome_air_transmittance(dir.y, 1e3);
       let hazed = (1.0 - air) / max(1.0 - whole, vec3f(1e-3));

@@ -1,9 +1,9 @@
 // Density of the clouds at a point. Positions are in km in the frame of the field: x along the wind, y above the sea, z
 // across the wind. Needs the module variables cloud_field, weather_map, cloud_noise_map and cloud_sampler.
 
-// How far a point lies inside the clouds before noise roughens them, km (x), negative outside; and how far it lies below
-// their top, km (y).
-fn cloud_depth(p: vec3f) -> vec2f {
+// How far a point lies inside the clouds before noise roughens them, km (x), negative outside; how far it lies below
+// their top, km (y); and the shift of the noise there, km (zw).
+fn cloud_depth(p: vec3f) -> vec4f {
   let map = textureSampleLevel(weather_map, cloud_sampler, p.xz * cloud_field.tiles_per_km, 0.0);
   let rise = (p.y - cloud_field.base_km) * cloud_field.layers_per_km;
   let along = map.g * cloud_field.tiles_per_km;
@@ -13,17 +13,19 @@ fn cloud_depth(p: vec3f) -> vec2f {
   }
   // Height above the surface over its steepness is the distance from the surface.
   let slope = sqrt(along * along + cloud_field.layers_per_km * cloud_field.layers_per_km);
-  return vec2f(room / slope, room / cloud_field.layers_per_km);
+  return vec4f(room / slope, room / cloud_field.layers_per_km, map.ba / cloud_field.shapes_per_km);
 }
 
-// The depth with the noise. `depth` is that of cloud_depth; `detail` is the share of the fine noise that is resolved, 0
-// to 1.
-fn cloud_rough_depth(p: vec3f, depth: f32, detail: f32) -> f32 {
+// The depth with the noise. `place` is cloud_depth; `detail` is the share of the fine noise that is resolved, 0 to 1.
+fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
+  let depth = place.x;
+  // Shifts hide that the noise repeats.
+  let p = at + vec3f(place.z, 0.0, place.w);
   if cloud_field.kind == CLOUD_CIRRUS {
     // Fibres are drawn out along the wind, and bent by its shear.
     let s = cloud_field.shapes_per_km;
-    let at = vec3f(p.x / 3.0, p.y, p.z) * (0.25 * s);
-    let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, at, 0.0).b - 0.5;
+    let wide_at = vec3f(p.x / 3.0, p.y, p.z) * (0.25 * s);
+    let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, wide_at, 0.0).b - 0.5;
     let q = vec3f(p.x / 12.0, p.y, p.z + 0.9 * bend / s) * s;
     let wide = textureSampleLevel(cloud_noise_map, cloud_sampler, q, 0.0).b;
     let r = vec3f(p.x / 16.0, p.y, p.z + 0.9 * bend / s) * cloud_field.details_per_km;
@@ -50,12 +52,12 @@ fn cloud_rough_depth(p: vec3f, depth: f32, detail: f32) -> f32 {
 
 // Density at a point with the share `detail` of the fine noise, averaged over about `blur_km`.
 fn cloud_density(p: vec3f, detail: f32, blur_km: f32) -> f32 {
-  let depth = cloud_depth(p).x;
+  let place = cloud_depth(p);
   let blur = 0.5 * blur_km;
-  if depth < -0.5 * cloud_field.shape_amplitude - blur {
+  if place.x < -0.5 * cloud_field.shape_amplitude - blur {
     return 0.0;
   }
-  let inside = cloud_rough_depth(p, depth, detail);
+  let inside = cloud_rough_depth(p, place, detail);
   return saturate((inside + blur) / (2.0 * blur + 1.0 / cloud_field.sharpness));
 }
 

@@ -1,5 +1,6 @@
 // Fills the repeating map of the clouds' height above their base, as a fraction of the layer's thickness: positive where
-// there is cloud, and falling below 0 away from it (red); and of the steepness of that height, 1/tile (green).
+// there is cloud, and falling below 0 away from it (red); of the steepness of that height, 1/tile (green); and of
+// shifts of the noise in two directions, in sides of the noise (blue and alpha).
 
 @group(0) @binding(0) var<uniform> cloud_field: CloudField;
 @group(0) @binding(1) var weather_out: texture_storage_2d<rgba16float, write>;
@@ -114,5 +115,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let open = (1.0 - cover) * (1.0 - cover);
     high.x = 0.6 + 1.3 * (n - 0.29 * weather_normal_quantile(1.0 - open * (1.0 - cover)));
   }
-  textureStore(weather_out, id.xy, vec4f(clamp(high.x, -1.0, 1.0), high.y, 0.0, 1.0));
+  let shift = 2.0 * vec2f(weather_smooth(bare, 7, 61u), weather_smooth(bare, 7, 67u));
+  textureStore(weather_out, id.xy, vec4f(clamp(high.x, -1.0, 1.0), high.y, shift));
 }

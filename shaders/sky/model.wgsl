@@ -25,7 +25,7 @@ fn sky_open_share() -> f32 {
 
 // Light of the air below volumetric clouds, which shade it, relative to that of clear air.
 fn sky_shaded_air() -> f32 {
-  return mix(0.4, 1.0, sky_open_share());
+  return mix(0.2, 1.0, sky_open_share());
 }
 
 // Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading

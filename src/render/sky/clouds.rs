@@ -25,8 +25,8 @@ const COLUMNS_PER_PIXEL: f64 = 2.4;
 const COLUMN_RANGE: [u32; 2] = [512, 4096];
 /// Most columns of the dome in the lean tier.
 const MOST_LEAN_COLUMNS: u32 = 2048;
-/// Rows that a frame of a running sea fills: those of one workgroup.
-const ROWS_PER_FRAME: u32 = 8;
+/// Rows that a frame of a running sea fills: at most 65,536 rays.
+const ROWS_PER_FRAME: u32 = 16;
 /// Layers of the dome texture: the picture fades from one to another while the third is filled.
 const DOME_LAYERS: u32 = 3;
 /// Distance, km, by which the clouds may have moved since their dome was filled; after a longer leap it is filled anew.
