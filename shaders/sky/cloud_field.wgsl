@@ -44,7 +44,7 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
     // Heads above, wisps at the base.
     let heads = mix(0.9 - fine, fine, saturate(0.25 + 6.0 * rise_km * cloud_field.layers_per_km));
     inside += detail * cloud_field.detail_amplitude * (heads - 0.45);
-    bump_km += 0.8 * detail * cloud_field.detail_amplitude * (fine - 0.45);
+    bump_km += 0.4 * detail * cloud_field.detail_amplitude * (fine - 0.45);
   }
   // The base is nearly flat.
   return min(inside, (rise_km - bump_km) * (cloud_field.base_sharpness / cloud_field.sharpness));

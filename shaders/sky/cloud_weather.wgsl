@@ -115,6 +115,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let open = (1.0 - cover) * (1.0 - cover);
     high.x = 0.6 + 1.3 * (n - 0.29 * weather_normal_quantile(1.0 - open * (1.0 - cover)));
   }
-  let shift = 2.0 * vec2f(weather_smooth(bare, 7, 61u), weather_smooth(bare, 7, 67u));
+  let shift = 1.3 * vec2f(weather_smooth(bare, 7, 61u), weather_smooth(bare, 7, 67u));
   textureStore(weather_out, id.xy, vec4f(clamp(high.x, -1.0, 1.0), high.y, shift));
 }
