@@ -61,6 +61,7 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("lat", "sunby=date", ""),
     ("sunsize", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&autoexposure=0&exposure=-8", "3"),
     ("sunfalloff", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&sunsize=5&autoexposure=0&exposure=-8", ""),
+    ("cloudcover", "clouds=cumulus", ""),
     ("fogstart", "fog=2", "500"),
     ("fogfalloff", "fog=2", "300"),
     ("fogheight", "fog=2", "200"),

@@ -4,7 +4,8 @@
 mod skies;
 
 use seastate::gpu::Gpu;
-use seastate::ocean::still::draw_picture;
+use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture, draw_picture};
+use seastate::ocean::{Ocean, OutputKind};
 use seastate::state::{Params, query};
 use skies::made_up_sky;
 
@@ -142,4 +143,109 @@ fn night_is_night() {
     let [noon, dusk, night] = ["sun=40", "sun=-7", "sun=-20"].map(mean);
     assert!(night[2] > 1.5 * night[0] && night[2] > 12.0 && night[1] < 45.0, "{night:?}");
     assert!(dusk[1] > night[1] && noon[1] > dusk[1], "{noon:?} {dusk:?} {night:?}");
+}
+
+/// Means of the luminance over blocks of 16 x 16 pixels.
+fn blocks(pixels: &[[u8; 4]]) -> Vec<f64> {
+    let [width, height] = SIZE.map(|s| s as usize);
+    let block = |x: usize, y: usize| {
+        let rows = (16 * y..16 * y + 16).flat_map(|row| &pixels[row * width + 16 * x..row * width + 16 * x + 16]);
+        rows.map(|p| luminance(*p)).sum::<f64>() / 256.0
+    };
+    (0..height / 16).flat_map(|y| (0..width / 16).map(move |x| block(x, y))).collect()
+}
+
+/// Clouds cover more of the sky the larger their cover is, and less light reaches the sea.
+#[test]
+fn clouds_cover_the_sky_and_dim_the_sea() {
+    let gpu = gpu();
+    let base = "wind=4&fetch=20&n=64&t=5&dither=0&autoexposure=0&sun=40";
+    let up = format!("{base}&pitch=40&fov=100&heading=60");
+    let down = format!("{base}&pitch=-30&y=800");
+    let clear = render(&gpu, &up);
+    for kind in ["cumulus", "stratocumulus", "towering", "cirrus", "storm"] {
+        let of = |cover: f64, view: &str| render(&gpu, &format!("{view}&clouds={kind}&cloudcover={cover}"));
+        let seen = [0.2, 0.8].map(|cover| {
+            let pixels = of(cover, &up);
+            assert_eq!(broken(&pixels), 0);
+            let is_cloud = |(a, b): &(&[u8; 4], &[u8; 4])| a[0].abs_diff(b[0]) > 10;
+            pixels.iter().zip(&clear).filter(is_cloud).count() as f64 / pixels.len() as f64
+        });
+        assert!(seen[1] > seen[0] + 0.1, "{kind}: {seen:?}");
+        // Below others, the sea mirrors clouds that are brighter than the clear sky.
+        if ["cumulus", "storm"].contains(&kind) {
+            let [open, closed] = [0.2, 0.8].map(|cover| linear_mean(&of(cover, &down)));
+            eprintln!("{kind}: light of the sea {open:.4} and {closed:.4}");
+            assert!(closed < 0.9 * open, "{kind}: {open} {closed}");
+        }
+        eprintln!("{kind}: seen {seen:.2?}");
+    }
+}
+
+/// Shadows of clouds mottle the sea; without clouds it is even.
+#[test]
+fn clouds_mottle_the_sea() {
+    let gpu = gpu();
+    let base = "wind=4&fetch=20&n=64&t=5&dither=0&sun=50&sunaz=200&pitch=-20&y=800&heading=30";
+    let spread = |state: &str| {
+        let [dark, bright] = blocks(&render(&gpu, state))
+            .into_iter()
+            .fold([f64::MAX, 0.0], |[low, high], b| [f64::min(low, b), f64::max(high, b)]);
+        bright / dark
+    };
+    let [even, mottled] = [base.to_owned(), format!("{base}&clouds=cumulus&cloudcover=0.4")].map(|s| spread(&s));
+    eprintln!("brightest block / darkest: {even:.3}, with clouds {mottled:.3}");
+    assert!(mottled > even + 0.1, "{even} {mottled}");
+}
+
+/// A picture with clouds depends on its state alone, and without clouds it is as if there were no such parameters.
+#[test]
+fn clouds_depend_on_the_state_alone() {
+    let gpu = gpu();
+    let state = "wind=9&n=64&t=30&sun=20&pitch=10&clouds=cumulus&cloudcover=0.4";
+    let check = |a: &[[u8; 4]], b: &[[u8; 4]], what: &str| {
+        let rows: Vec<usize> = (0..a.len()).filter(|&i| a[i] != b[i]).map(|i| i / SIZE[0] as usize).collect();
+        assert!(rows.is_empty(), "{what}: {} pixels differ, in rows {:?} to {:?}", rows.len(), rows[0], rows.last());
+    };
+    let alone = render(&gpu, state);
+    check(&alone, &render(&gpu, state), "drawn twice");
+    let params = |state: &str| query::parse(state).0;
+    let mut ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &params("wind=9&n=64&t=30&clouds=storm"));
+    let mut draw = |state: &str| {
+        ocean.set_params(&params(state));
+        let bytes = pollster::block_on(draw_ocean_picture(&gpu, &mut ocean, SIZE)).expect("a picture");
+        bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect::<Vec<_>>()
+    };
+    draw("wind=9&n=64&t=30&clouds=storm");
+    draw("wind=9&n=64&t=55&sun=20&pitch=10&clouds=cumulus&cloudcover=0.4");
+    check(&draw(state), &alone, "drawn after others");
+    let clear = "wind=9&n=64&t=30&sun=20&pitch=10";
+    check(&draw(clear), &render(&gpu, &format!("{clear}&clouds=none&cloudcover=0.9")), "without clouds");
+}
+
+/// The clouds of a running sea are those of its time, although their dome is filled bit by bit, and nothing leaps.
+#[test]
+fn clouds_of_a_running_sea_follow_its_time() {
+    let gpu = gpu();
+    let state = |t_s: f64| format!("wind=15&n=64&t={t_s}&sun=30&pitch=35&clouds=cumulus&cloudcover=0.4&dither=0");
+    let params = |t_s: f64| query::parse(&state(t_s)).0;
+    let mut ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &params(30.0));
+    ocean.set_may_keep_pipelines(true);
+    let mut frames: Vec<Vec<[u8; 4]>> = Vec::new();
+    let times_s: Vec<f64> = (0..40).map(|i| 30.0 + 0.1 * f64::from(i)).collect();
+    for &t_s in &times_s {
+        ocean.set_params(&params(t_s));
+        let bytes = pollster::block_on(draw_ocean_picture(&gpu, &mut ocean, SIZE)).expect("a picture");
+        frames.push(bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect());
+    }
+    let difference = |a: &[[u8; 4]], b: &[[u8; 4]]| {
+        a.iter().zip(b).map(|(a, b)| (luminance(*a) - luminance(*b)).abs()).sum::<f64>() / a.len() as f64
+    };
+    let steps: Vec<f64> = frames.windows(2).map(|pair| difference(&pair[0], &pair[1])).collect();
+    let still = render(&gpu, &state(times_s[39]));
+    let (last, moved) = (difference(&frames[39], &still), difference(&frames[0], &still));
+    eprintln!("from the still {last:.2}, moved by {moved:.2}, steps {steps:.3?}");
+    assert!(last < 0.45 * moved, "{last} {moved}");
+    let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+    assert!(steps.iter().all(|step| *step < 4.0 * mean), "{steps:.3?}");
 }

@@ -37,7 +37,10 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   // The shares of all wavelengths are as good as equal, because the two distances are.
   let opacities = 1.0 - exp(-extinction.y * vec2f(km, whole_km));
   let share = min(opacities.x / max(opacities.y, 1e-6), 1.0);
-  let clear = sky_clear_radiance(dir, below) * share;
+  var clear = sky_clear_radiance(dir, below) * share;
+  if SKY_CLOUD_SHADOWS {
+    clear *= sky_shaded_air();
+  }
   let grey = light.overcast_zenith_radiance * (1.0 / 3.0) * (1.0 - through);
   return array<vec3f, 2>(mix(clear, grey, sky.overcast * sky.overcast), through);
 }

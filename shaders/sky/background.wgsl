@@ -1,8 +1,9 @@
 // The sky behind the sea: clear air, clouds, and the sun's disc.
 
 @group(1) @binding(0) var image_map: texture_2d<f32>;
+@group(2) @binding(0) var dome_map: texture_2d_array<f32>;
 
-// Whether stars are compiled in. Overrides for clouds are in model.wgsl, for a sky from a file and fog in air.wgsl.
+// Whether stars are compiled in. Overrides for clouds are in clouds.wgsl, for a sky from a file and fog in air.wgsl.
 override SKY_STARS = true;
 
 struct SkyFragment {

@@ -9,7 +9,27 @@
 @group(0) @binding(5) var noise_sampler: sampler;
 // The sky from a file without its sun.
 @group(0) @binding(6) var image_map: texture_2d<f32>;
-@group(0) @binding(7) var environment_out: texture_storage_2d<rgba16float, write>;
+@group(0) @binding(7) var<uniform> clouds: Clouds;
+@group(0) @binding(8) var dome_map: texture_2d_array<f32>;
+@group(0) @binding(9) var environment_out: texture_storage_2d<rgba16float, write>;
+
+// Mean radiance of the sky with volumetric clouds over a texel, whose middle has this azimuth and elevation. The dome has
+// finer texels than the environment map.
+fn environment_cloudy_radiance(azimuth: f32, above: f32, pixel: f32) -> vec3f {
+  const SIDE = 4;
+  var sum = vec3f(0.0);
+  for (var i = 0; i < SIDE * SIDE; i++) {
+    let off = (vec2f(f32(i % SIDE), f32(i / SIDE)) + 0.5) / f32(SIDE) - 0.5;
+    let turn = azimuth + pixel * off.x;
+    let high = clamp(above + pixel * off.y, 0.0, 0.5 * ATM_PI);
+    let dir = vec3f(sin(turn) * cos(high), sin(high), -cos(turn) * cos(high));
+    let clear = mix(sky_clear_radiance(dir, high), sky_overcast_radiance(high), sky.overcast * sky.overcast);
+    let uv = cloud_map_uv(dir.xz, high, vec2f(textureDimensions(dome_map)));
+    let dome = textureSampleLevel(dome_map, sky_sampler, uv, clouds.new_layer, 0.0);
+    sum += clear * dome.a + dome.rgb;
+  }
+  return sum / f32(SIDE * SIDE);
+}
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -27,12 +47,15 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     above = min(0.25 - elevation, 1.5);
     let f = 0.02 + 0.98 * pow(1.0 - sin(above), 5.0);
     gain = vec3f(f);
-    own = (light.sky_irradiance + light.sun_irradiance * max(sky.sun_direction.y, 0.0)) * vec3f(0.0012, 0.0045, 0.0085);
+    let on_sea = light.sun_irradiance * light.cloud_sun_transmittance;
+    own = (light.sky_irradiance + on_sea * max(sky.sun_direction.y, 0.0)) * vec3f(0.0012, 0.0045, 0.0085);
   }
   let dir = vec3f(heading.x * cos(above), sin(above), heading.y * cos(above));
   var radiance = vec3f(0.0);
   if sky.has_image > 0.0 {
     radiance = sky.image_gain * textureSampleLevel(image_map, sky_sampler, sky_image_uv(dir), 0.0).rgb;
+  } else if sky.has_cloud_dome > 0.0 {
+    radiance = environment_cloudy_radiance(azimuth, above, pixel);
   } else {
     radiance = sky_radiance(dir, above, pixel, sky.reflected_cloud_drift_km).rgb;
   }

@@ -9,10 +9,9 @@
 @group(0) @binding(3) var sky_view_map: texture_2d<f32>;
 @group(0) @binding(4) var sky_sampler: sampler;
 @group(0) @binding(5) var environment_map: texture_2d<f32>;
-// Bindings that the sky model needs for clouds, which are not used here.
-@group(0) @binding(6) var noise_map: texture_2d<f32>;
-@group(0) @binding(7) var noise_sampler: sampler;
-@group(0) @binding(8) var<storage, read_write> light_parts: array<vec4f, 256>;
+// The sunlight between volumetric clouds.
+@group(0) @binding(6) var cloud_shadow_map: texture_2d<f32>;
+@group(0) @binding(7) var<storage, read_write> light_parts: array<vec4f, 256>;
 
 const LIGHT_THREADS = 256u;
 // Fraction of the irradiance of sun and sky that a closed cloud deck transmits.
@@ -52,9 +51,14 @@ fn clear_irradiance() {
   }
   let high = max(sky.sun_direction.y, 0.0);
   let globally = diffuse + beam * high;
-  light.cloud_sun_transmittance = pow(1.0 - sky.overcast, 1.5);
-  light.sun_irradiance = beam * light.cloud_sun_transmittance;
+  light.cloud_sun_transmittance = 1.0;
+  if sky.has_cloud_dome > 0.0 {
+    // The last mip level holds the mean.
+    light.cloud_sun_transmittance = textureLoad(cloud_shadow_map, vec2u(0u), textureNumLevels(cloud_shadow_map) - 1u).r;
+  }
+  light.sun_irradiance = beam * pow(1.0 - sky.overcast, 1.5);
   light.sky_irradiance = diffuse;
+  light.clear_sky_irradiance = diffuse;
   // A cloud deck scatters all colours equally. A trace of the blue sky above it remains.
   let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.92, 1.0, 1.09);
   light.overcast_zenith_radiance = grey * (LIGHT_OVERCAST_TRANSMITTANCE * 9.0 / (7.0 * ATM_PI));
@@ -65,8 +69,9 @@ fn clear_irradiance() {
     // has scattered. About as much light goes up as comes down.
     let o = sky.overcast * sky.overcast;
     let sunlight = fog_transmittance(0.5 * max(sky.fog.top_m, 0.0), sky.sun_direction.y, 0.0, FOG_FAR_M);
-    light.fog_sun_irradiance = light.sun_irradiance * sunlight;
-    let lost = light.sun_irradiance * (high * (1.0 - sunlight));
+    let sun = light.sun_irradiance * light.cloud_sun_transmittance;
+    light.fog_sun_irradiance = sun * sunlight;
+    let lost = sun * (high * (1.0 - sunlight));
     light.fog_sky_radiance = (mix(diffuse, LIGHT_OVERCAST_TRANSMITTANCE * grey, o) + lost) * (0.6 / ATM_PI);
   }
 }
@@ -101,7 +106,8 @@ fn sky_irradiance() {
   }
   // Mean luminance of the low sky: 2.26 sr is the integral of the weight `low` over the sky.
   let band = total.w / 2.26;
-  let ground = sky_luminance(total.rgb + light.sun_irradiance * max(sky.sun_direction.y, 0.0)) / ATM_PI;
+  let on_sea = light.sun_irradiance * (light.cloud_sun_transmittance * max(sky.sun_direction.y, 0.0));
+  let ground = sky_luminance(total.rgb + on_sea) / ATM_PI;
   // The adaptation luminance does not contain the factor `night_gain`.
   light.adaptation_luminance = max((0.85 * band + 0.2 * ground) / sky.night_gain, 1e-9);
   // Like an eye, the exposure adapts only in part: dusk stays darker than noon, and night is dark. By day, foam in the

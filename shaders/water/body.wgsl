@@ -38,7 +38,7 @@ fn water_entering_sunlight(n: vec3f) -> vec3f {
   let l = frame.sun_direction;
   let cosine = dot(n, l);
   let facing = max(0.5 * cosine + 0.5 * l.y, 0.0);
-  return light.sun_irradiance * (facing * (1.0 - water_fresnel(max(cosine, 0.0))));
+  return cloud_sun_irradiance() * (facing * (1.0 - water_fresnel(max(cosine, 0.0))));
 }
 
 // Fraction of the surface lately covered by foam, below which the bubbles do not count.
@@ -90,7 +90,7 @@ fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f
   let beam = water_refract(-frame.sun_direction, back);
   let phase = atm_henyey_greenstein(dot(beam, -ray), WATER_CREST_MEAN_COSINE);
   let through = water_crest_transmittance(rise, jacobian, plume);
-  let sun = light.sun_irradiance * (entry * (1.0 - water_fresnel(entry)) * phase);
+  let sun = cloud_sun_irradiance() * (entry * (1.0 - water_fresnel(entry)) * phase);
   // The bright sky behind the crest shines through it, too.
   let sky = light.sky_irradiance * (0.25 * saturate(1.0 + ray.y) / ATM_PI);
   return (sun + sky) * through * (material.crest_transmission * thin);

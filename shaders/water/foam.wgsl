@@ -192,7 +192,7 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   // Hollows see less of the sky.
   let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
   let albedo = material.foam_colour * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
-  let sunlight = light.sun_irradiance * (wrapped * (0.8 + 0.4 * foam.grain));
+  let sunlight = cloud_sun_irradiance() * (wrapped * (0.8 + 0.4 * foam.grain));
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {
     return body;
@@ -206,5 +206,5 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let seen = max(dot(n, v), 1e-3);
   let masked = 0.5 / mix(2.0 * cosine * seen, cosine + seen, alpha);
   let gloss = material.glitter_strength * water_fresnel(dot(v, h)) * a2 / (ATM_PI * d * d) * masked * cosine;
-  return body + light.sun_irradiance * min(gloss, 50.0);
+  return body + cloud_sun_irradiance() * min(gloss, 50.0);
 }

@@ -29,8 +29,12 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let distance_m = length(in.position);
   let dir = in.position / distance_m;
   let up = 0.5 + 0.5 * n.y;
-  let sun = light.sun_irradiance * max(dot(n, frame.sun_direction), 0.0);
-  let on_sea = light.sky_irradiance + light.sun_irradiance * max(frame.sun_direction.y, 0.0);
+  var sunlight = light.sun_irradiance;
+  if clouds.height_km > 0.0 {
+    sunlight *= cloud_sun_transmittance(in.position.xz, 0.0);
+  }
+  let sun = sunlight * max(dot(n, frame.sun_direction), 0.0);
+  let on_sea = light.sky_irradiance + sunlight * max(frame.sun_direction.y, 0.0);
   let around = light.sky_irradiance * up + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
   // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);

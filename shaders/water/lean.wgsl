@@ -68,7 +68,7 @@ fn lean_glitter(v: vec3f, slope: WaterSlope, seen: vec2f) -> vec3f {
   let shadow = clamp(lit.x / max(lit.y, 1e-6) - 1.0, 0.0, LEAN_MOST_SHADOW);
   let area = max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow;
   let facets = water_slope_density_at(density, square) / (4.0 * h2 * h2 * area);
-  return light.sun_irradiance * min(f * facets, frame.sun_radiance_per_irradiance);
+  return cloud_sun_irradiance() * min(f * facets, frame.sun_radiance_per_irradiance);
 }
 
 // Reflected sky and sun. `v` points to the eye, in axes whose y is the local vertical.
@@ -157,7 +157,7 @@ fn lean_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f3
   let entry = max(n.y * l.y - n.x * l.x - n.z * l.z, 0.0);
   let phase = atm_henyey_greenstein(dot(l, ray), WATER_CREST_MEAN_COSINE);
   let through = water_crest_transmittance(rise, jacobian, plume);
-  let sun = light.sun_irradiance * (step(-0.02, l.y) * entry * phase);
+  let sun = cloud_sun_irradiance() * (step(-0.02, l.y) * entry * phase);
   let sky = light.sky_irradiance * (0.25 / ATM_PI * saturate(1.0 + ray.y));
   return (sun + sky) * through * (material.crest_transmission * thin);
 }
@@ -184,6 +184,9 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
   let rise = dir.y + dot(dir.xz, point.position.xz) / FRAME_EARTH_RADIUS_M;
   let v = vec3f(-dir.x, max(-rise, 1e-4), -dir.z);
   let n = water_normal(slope.mean);
+  if SKY_CLOUD_SHADOWS {
+    cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
+  }
   var foam = vec2f(0.0);
   if WATER_FOAM {
     foam = lean_foam_level(point.undisplaced, foot);

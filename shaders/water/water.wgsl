@@ -60,6 +60,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   // The vertical turns by so little over the Earth's curve that `v` stays a unit vector.
   let v = vec3f(-dir.x, max(eye_sine, 1e-4), -dir.z);
   let n = water_normal(slope.mean);
+  if SKY_CLOUD_SHADOWS {
+    cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
+  }
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never

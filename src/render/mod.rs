@@ -35,6 +35,7 @@ use film::tone::{TonePass, ToneUniform};
 use frame::{FrameCascade, FrameFoamGrid};
 use scene_group::SceneGroup;
 use sky::background::BackgroundPass;
+use sky::clouds::{CloudField, CloudView};
 use sky::tables::SkyTables;
 use sky::uniform::{FogUniform, LightBuffer, SkyUniform};
 use targets::Targets;
@@ -61,6 +62,8 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     FogUniform::DECLARATION,
     SkyUniform::DECLARATION,
     LightBuffer::DECLARATION,
+    CloudField::DECLARATION,
+    CloudView::DECLARATION,
     ToneUniform::DECLARATION,
     ViewTile::DECLARATION,
     ViewUniform::DECLARATION,
@@ -89,6 +92,7 @@ pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
     sky: SkyTables,
+    noise: NoiseTexture,
     eye: EyePass,
     water: WaterPass,
     background: BackgroundPass,
@@ -124,6 +128,7 @@ impl Renderer {
             frame,
             material,
             sky,
+            noise,
             eye,
             water,
             background,
@@ -178,6 +183,9 @@ impl Renderer {
     fn prepare_frame(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
         self.frame.write(gpu, frame);
+        if let Some(targets) = &self.targets {
+            self.sky.prepare_clouds(gpu, scene, targets.size[0], &self.noise);
+        }
         self.water.select_pipeline(gpu, scene);
         self.background.select_pipeline(gpu, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(gpu, maps);

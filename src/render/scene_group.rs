@@ -1,6 +1,7 @@
 //! The bind group that all passes of the HDR picture share; shaders/common/scene.wgsl declares its bindings.
 
 use super::frame::FrameUniform;
+use super::sky::clouds::CloudView;
 use super::sky::tables::SkyTables;
 use super::sky::uniform::{LightBuffer, SkyUniform};
 use super::targets::OutputKind;
@@ -41,6 +42,8 @@ impl SceneGroup {
             BindingType::Texture,
             BindingType::Uniform(size_of::<MaterialUniform>()),
             BindingType::Texture3d,
+            BindingType::Uniform(size_of::<CloudView>()),
+            BindingType::Texture,
         ];
         let layout = gpu.bind_group_layout("scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &bindings);
         let resources = [
@@ -55,6 +58,8 @@ impl SceneGroup {
             TextureView(&sky.transmittance),
             material.buffer.as_entire_binding(),
             TextureView(&sky.mirrored),
+            sky.clouds.view.buffer.as_entire_binding(),
+            TextureView(&sky.clouds.shadow),
         ];
         Self { group: gpu.bind_group("scene", &layout, &resources), layout, output }
     }

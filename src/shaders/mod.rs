@@ -47,12 +47,22 @@ const SKY_COMMON: SourcePart = part!("sky/common.wgsl");
 const VIEWS: SourcePart = part!("views/common.wgsl");
 /// WGSL for the passes that compute the sky's look-up tables of scattered and transmitted light without clouds.
 const AIR_TABLES: SourcePart = SourcePart::Group(&[ATMOSPHERE, SKY_COMMON]);
-/// WGSL functions for the radiance of the sky in a given direction, with clouds and fog.
+/// WGSL functions for the radiance of the sky without clouds in a given direction, and for fog.
 const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
 /// WGSL for every pass that draws on the HDR picture: uniforms and textures of the scene, radiance of the sky, and the
 /// effect of the air between eye and sea on light.
-const PICTURE: SourcePart =
-    SourcePart::Group(&[SKY, part!("common/frame.wgsl"), part!("common/scene.wgsl"), part!("sky/air.wgsl")]);
+const PICTURE: SourcePart = SourcePart::Group(&[
+    SKY,
+    part!("common/frame.wgsl"),
+    part!("common/scene.wgsl"),
+    part!("sky/air.wgsl"),
+    part!("sky/cloud_sun.wgsl"),
+]);
+/// WGSL functions for the radiance of the sky with clouds.
+const CLOUDY_SKY: SourcePart = SourcePart::Group(&[CLOUD_MAP, part!("sky/clouds.wgsl")]);
+const CLOUD_MAP: SourcePart = part!("sky/cloud_map.wgsl");
+const CLOUD_KINDS: SourcePart = part!("sky/cloud_kinds.wgsl");
+const CLOUD_FIELD: SourcePart = SourcePart::Group(&[CLOUD_KINDS, part!("sky/cloud_field.wgsl")]);
 /// WGSL mapping of the table of the mirrored sky.
 const MIRRORED_MAP: SourcePart = part!("sky/mirrored_map.wgsl");
 /// WGSL functions for the position of the water surface, displaced by the waves.
@@ -107,11 +117,15 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("sky/transmittance", &[AIR_TABLES, part!("sky/transmittance.wgsl")]),
     ("sky/multiple", &[AIR_TABLES, part!("sky/multiple.wgsl")]),
     ("sky/view", &[AIR_TABLES, part!("sky/view.wgsl")]),
-    ("sky/environment", &[SKY, part!("sky/environment.wgsl")]),
+    ("sky/cloud_noise", &[part!("sky/cloud_noise.wgsl")]),
+    ("sky/cloud_weather", &[ATMOSPHERE, CLOUD_KINDS, part!("sky/cloud_weather.wgsl")]),
+    ("sky/cloud_shadow", &[AIR_TABLES, CLOUD_FIELD, part!("sky/cloud_shadow.wgsl")]),
+    ("sky/cloud_dome", &[SKY, CLOUD_MAP, CLOUD_FIELD, part!("sky/cloud_dome.wgsl")]),
+    ("sky/environment", &[SKY, CLOUDY_SKY, part!("sky/environment.wgsl")]),
     ("sky/filter", &[part!("sky/filter.wgsl")]),
     ("sky/mirrored", &[MIRRORED_MAP, part!("sky/mirrored.wgsl")]),
     ("sky/light", &[SKY, part!("sky/light.wgsl")]),
-    ("sky/background", &[PICTURE, part!("sky/background.wgsl")]),
+    ("sky/background", &[PICTURE, CLOUDY_SKY, part!("sky/background.wgsl")]),
     ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),
     ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
     ("water/light", &[WATER, LEAN, part!("water/light.wgsl")]),

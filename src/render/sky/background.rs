@@ -8,6 +8,7 @@ use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{DEPTH_TEST_BACKGROUND, attachments};
 use crate::render::variants::{PipelineVariants, switch_constant};
 use crate::shaders::Shaders;
+use crate::state::look::CloudKind;
 
 /// Sine of the sun's elevation below which stars are drawn; shaders/sky/background.wgsl contains the same number.
 const STARS_MAX_SUN_SINE: f64 = -0.05;
@@ -22,7 +23,10 @@ pub struct BackgroundPass {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct BackgroundVariant {
     sky_image: bool,
+    /// The flat layer of clouds of an overcast sky.
     clouds: bool,
+    /// The dome of volumetric clouds.
+    cloud_dome: bool,
     stars: bool,
     fog: bool,
 }
@@ -37,18 +41,21 @@ impl BackgroundPass {
     pub fn select_pipeline(&mut self, gpu: &Gpu, group: &SceneGroup, sky: &SkyTables, scene: &Scene) {
         let look = &scene.look.sky;
         let file = look.panorama().is_some();
+        let cloud_dome = look.drawn_clouds() != CloudKind::None;
         let parts = BackgroundVariant {
             sky_image: file,
-            clouds: !file && look.overcast > 0.0,
+            clouds: !file && !cloud_dome && look.overcast > 0.0,
+            cloud_dome,
             stars: !file && look.sun_direction()[1] < STARS_MAX_SUN_SINE,
             fog: look.fog_extinction_per_km > 0.0,
         };
         let (gpu, module, format) = (gpu.clone(), self.module.clone(), group.output.format());
-        let layouts = [group.layout.clone(), sky.panorama.layout.clone()];
+        let layouts = [group.layout.clone(), sky.panorama.layout.clone(), sky.clouds.layout.clone()];
         self.pipelines.select(parts, scene.may_keep_pipelines, move || {
             let constants = [
                 switch_constant("SKY_IMAGE", parts.sky_image),
                 switch_constant("SKY_CLOUDS", parts.clouds),
+                switch_constant("SKY_CLOUD_DOME", parts.cloud_dome),
                 switch_constant("SKY_STARS", parts.stars),
                 switch_constant("SKY_FOG", parts.fog),
             ];
@@ -63,6 +70,7 @@ impl BackgroundPass {
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &scene.group, &[]);
         pass.set_bind_group(1, &sky.panorama.group, &[]);
+        pass.set_bind_group(2, &sky.clouds.group, &[]);
         pass.draw(0..3, 0..1);
     }
 }

@@ -2,10 +2,13 @@
 //! (shaders/sky/transmittance.wgsl, multiple.wgsl, view.wgsl, environment.wgsl, filter.wgsl, light.wgsl). They are
 //! recomputed only if the light changes.
 
+use super::cloud_field::Clouds;
+use super::clouds::{CloudPass, CloudView, SharedTables};
 use super::panorama::PanoramaTextures;
+use super::table_pass::{TablePass, workgroups};
 use super::uniform::{LightBuffer, SkyUniform};
 use crate::gpu::Gpu;
-use crate::gpu::kit::{BindingType, Kernel, mip_view};
+use crate::gpu::kit::{BindingType, mip_view};
 use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::scene::Scene;
@@ -29,11 +32,6 @@ const LIGHT_WORKGROUPS: u32 = 4;
 /// irradiance and a luminance in f32.
 const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_WORKGROUPS as u64;
 
-/// Number of workgroups of 8 x 8 threads, along x, y and z, that cover a 2d table of `size` texels.
-fn workgroups([width, height]: [u32; 2]) -> [u32; 3] {
-    [width.div_ceil(8), height.div_ceil(8), 1]
-}
-
 fn mirrored_sky_texture(gpu: &Gpu, format: wgpu::TextureFormat) -> wgpu::Texture {
     let [width, height, depth_or_array_layers] = MIRRORED_SIZE;
     gpu.device.create_texture(&wgpu::TextureDescriptor {
@@ -48,37 +46,6 @@ fn mirrored_sky_texture(gpu: &Gpu, format: wgpu::TextureFormat) -> wgpu::Texture
     })
 }
 
-/// A compute pass that fills a look-up table of the sky or adds up its light, with its bind group.
-struct TablePass {
-    kernel: Kernel,
-    group: wgpu::BindGroup,
-    workgroups: [u32; 3],
-}
-
-impl TablePass {
-    fn new(
-        gpu: &Gpu,
-        label: &'static str,
-        program: (&wgpu::ShaderModule, &str),
-        bindings: &[(BindingType, wgpu::BindingResource<'_>)],
-        workgroups: [u32; 3],
-    ) -> Self {
-        let (bindings, resources): (Vec<BindingType>, Vec<_>) = bindings.iter().cloned().unzip();
-        let kernel = Kernel::new(gpu, label, program, &bindings, &[]);
-        let group = kernel.bind(gpu, &resources);
-        Self { kernel, group, workgroups }
-    }
-
-    /// Makes a pass with the pipeline of this one, for other resources of the same types.
-    fn with_resources(&self, gpu: &Gpu, resources: &[wgpu::BindingResource<'_>], workgroups: [u32; 3]) -> Self {
-        Self { kernel: self.kernel.clone(), group: self.kernel.bind(gpu, resources), workgroups }
-    }
-
-    fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
-        self.kernel.run(encoder, timer.compute_pass("sky tables"), &self.group, &[], self.workgroups);
-    }
-}
-
 /// Look-up tables of the sky (clear air, environment map, light on the sea), and the compute passes that fill them.
 pub struct SkyTables {
     pub uniform: Uniform<SkyUniform>,
@@ -86,6 +53,7 @@ pub struct SkyTables {
     pub transmittance: wgpu::TextureView,
     pub sky_view: wgpu::TextureView,
     pub environment: wgpu::TextureView,
+    environment_texture: wgpu::Texture,
     /// The environment as rough water mirrors it: a stereographic projection by the spread of the mirrored rays.
     pub mirrored: wgpu::TextureView,
     pub sampler: wgpu::Sampler,
@@ -93,8 +61,12 @@ pub struct SkyTables {
     pub panorama: PanoramaTextures,
     /// Passes that do not depend on the position of the sun: transmittance of the air and multiple scattering in it.
     sun_independent_passes: Vec<TablePass>,
-    /// Passes that depend on the position of the sun: clear sky, environment map (reflected sky) and light on the sea.
-    sun_dependent_passes: Vec<TablePass>,
+    /// Passes that depend on the position of the sun: clear sky, and the light on the sea without clouds.
+    clear_passes: Vec<TablePass>,
+    /// Passes that also depend on the clouds: environment map (reflected sky) and light on the sea.
+    cloudy_passes: Vec<TablePass>,
+    /// Volumetric clouds, if the scene has any.
+    pub clouds: CloudPass,
     computed_for: Option<SkyUniform>,
 }
 
@@ -115,6 +87,7 @@ impl SkyTables {
             transmittance: whole(&texture("sky/transmittance", TRANSMITTANCE_SIZE, 1)),
             sky_view: whole(&texture("sky/view", SKY_VIEW_SIZE, 1)),
             environment: whole(&surroundings),
+            environment_texture: surroundings.clone(),
             mirrored: whole(&mirrored_sky_texture(gpu, format)),
             sampler: gpu.sampler(
                 "sky",
@@ -123,12 +96,14 @@ impl SkyTables {
             ),
             panorama: PanoramaTextures::new(gpu),
             sun_independent_passes: Vec::new(),
-            sun_dependent_passes: Vec::new(),
+            clear_passes: Vec::new(),
+            cloudy_passes: Vec::new(),
+            clouds: CloudPass::new(gpu, shaders),
             computed_for: None,
         };
         let multiple_scattering = whole(&texture("sky/multiple", MULTIPLE_SCATTERING_SIZE, 1));
         sky.sun_independent_passes = sky.create_sun_independent_passes(gpu, shaders, &multiple_scattering);
-        sky.sun_dependent_passes =
+        (sky.clear_passes, sky.cloudy_passes) =
             sky.create_sun_dependent_passes(gpu, shaders, noise, &multiple_scattering, &surroundings);
         sky
     }
@@ -174,7 +149,7 @@ impl SkyTables {
         noise: &NoiseTexture,
         multiple_scattering: &wgpu::TextureView,
         surroundings: &wgpu::Texture,
-    ) -> Vec<TablePass> {
+    ) -> (Vec<TablePass>, Vec<TablePass>) {
         let image = BindingType::StorageTexture(shaders.map_format(gpu).texture_format());
         let view = TablePass::new(
             gpu,
@@ -193,16 +168,7 @@ impl SkyTables {
             gpu,
             "sky/environment",
             (&shaders.module(gpu, "sky/environment"), "main"),
-            &[
-                self.uniform_binding(),
-                (BindingType::StorageRead(size_of::<LightBuffer>()), self.light_buffer.as_entire_binding()),
-                (BindingType::Texture, TextureView(&self.sky_view)),
-                (BindingType::Sampler, Sampler(&self.sampler)),
-                (BindingType::Texture, TextureView(&noise.view)),
-                (BindingType::Sampler, Sampler(&noise.sampler)),
-                (BindingType::Texture, TextureView(&self.panorama.without_sun_view)),
-                (image, TextureView(&mip_view(surroundings, 0))),
-            ],
+            &self.environment_bindings(noise, &mip_view(surroundings, 0), image),
             workgroups(ENVIRONMENT_SIZE),
         );
         let filter = shaders.module(gpu, "sky/filter");
@@ -232,18 +198,14 @@ impl SkyTables {
             ],
             [width.div_ceil(8), height.div_ceil(8), layers],
         );
-        let [clear_irradiance_parts, clear, sky_irradiance_parts, whole] =
-            self.create_light_passes(gpu, shaders, noise);
-        [view, clear_irradiance_parts, clear, environment]
-            .into_iter()
-            .chain(filters)
-            .chain([mirrored, sky_irradiance_parts, whole])
-            .collect()
+        let [clear_irradiance_parts, clear, sky_irradiance_parts, whole] = self.create_light_passes(gpu, shaders);
+        let cloudy = [environment].into_iter().chain(filters).chain([mirrored, sky_irradiance_parts, whole]);
+        (vec![view, clear_irradiance_parts, clear], cloudy.collect())
     }
 
     /// The four passes that integrate the sky's light over all directions: partial sums and total without clouds, which
     /// the environment map needs, then partial sums and total with clouds.
-    fn create_light_passes(&self, gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> [TablePass; 4] {
+    fn create_light_passes(&self, gpu: &Gpu, shaders: &Shaders) -> [TablePass; 4] {
         let parts = gpu.storage_buffer("light/parts", LIGHT_PARTS_BYTES);
         let module = shaders.module(gpu, "sky/light");
         let bindings = [
@@ -253,8 +215,7 @@ impl SkyTables {
             (BindingType::Texture, TextureView(&self.sky_view)),
             (BindingType::Sampler, Sampler(&self.sampler)),
             (BindingType::Texture, TextureView(&self.environment)),
-            (BindingType::Texture, TextureView(&noise.view)),
-            (BindingType::Sampler, Sampler(&noise.sampler)),
+            (BindingType::Texture, TextureView(&self.clouds.shadow)),
             (BindingType::StorageReadWrite(LIGHT_PARTS_BYTES as usize), parts.as_entire_binding()),
         ];
         [
@@ -266,9 +227,50 @@ impl SkyTables {
         .map(|(label, entry, groups)| TablePass::new(gpu, label, (&module, entry), &bindings, [groups, 1, 1]))
     }
 
+    /// Bindings of the pass that computes the environment map, whose finest level is `finest`.
+    fn environment_bindings<'a>(
+        &'a self,
+        noise: &'a NoiseTexture,
+        finest: &'a wgpu::TextureView,
+        image: BindingType,
+    ) -> [(BindingType, wgpu::BindingResource<'a>); 10] {
+        [
+            self.uniform_binding(),
+            (BindingType::StorageRead(size_of::<LightBuffer>()), self.light_buffer.as_entire_binding()),
+            (BindingType::Texture, TextureView(&self.sky_view)),
+            (BindingType::Sampler, Sampler(&self.sampler)),
+            (BindingType::Texture, TextureView(&noise.view)),
+            (BindingType::Sampler, Sampler(&noise.sampler)),
+            (BindingType::Texture, TextureView(&self.panorama.without_sun_view)),
+            (BindingType::Uniform(size_of::<CloudView>()), self.clouds.view.buffer.as_entire_binding()),
+            (BindingType::TextureArray, TextureView(&self.clouds.dome)),
+            (image, TextureView(finest)),
+        ]
+    }
+
+    /// Creates the dome of clouds that a picture of `scene`, `width` pixels wide, needs, unless it exists already.
+    pub fn prepare_clouds(&mut self, gpu: &Gpu, scene: &Scene, width: u32, noise: &NoiseTexture) {
+        let tables = SharedTables {
+            sky: &self.uniform.buffer,
+            light: &self.light_buffer,
+            sky_view: &self.sky_view,
+            transmittance: &self.transmittance,
+            sampler: &self.sampler,
+        };
+        if self.clouds.prepare(gpu, scene, width, &tables) {
+            let format = self.environment_texture.format();
+            let finest = mip_view(&self.environment_texture, 0);
+            let bindings = self.environment_bindings(noise, &finest, BindingType::StorageTexture(format));
+            let resources = bindings.map(|(_, resource)| resource);
+            let pass = self.cloudy_passes[0].with_resources(gpu, &resources, workgroups(ENVIRONMENT_SIZE));
+            self.cloudy_passes[0] = pass;
+        }
+    }
+
     /// Records the passes that compute all tables of the sky, even those that are up to date.
     pub fn record_all_tables(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
-        self.sun_independent_passes.iter().chain(&self.sun_dependent_passes).for_each(|pass| pass.run(encoder, timer));
+        let passes = self.sun_independent_passes.iter().chain(&self.clear_passes).chain(&self.cloudy_passes);
+        passes.for_each(|pass| pass.run(encoder, timer));
     }
 
     /// Writes the sky's uniform buffer for a scene, and records the passes of the tables that do not match this scene.
@@ -282,17 +284,33 @@ impl SkyTables {
         let wanted = SkyUniform::new(scene);
         let other_file = self.panorama.set_image(gpu, scene.look.sky.panorama());
         let before = self.computed_for.replace(wanted);
-        if before == Some(wanted) && !other_file {
-            return;
+        if before != Some(wanted) {
+            self.uniform.write(gpu, &wanted);
         }
-        self.uniform.write(gpu, &wanted);
-        if before.is_some_and(|made| made.same_tables_as(&wanted)) && !other_file {
-            return;
-        }
+        let mut is_outdated = other_file || before.is_none_or(|made| !made.same_tables_as(&wanted));
         if before.is_none_or(|made| !made.same_air_tables_as(&wanted)) {
             self.sun_independent_passes.iter().for_each(|pass| pass.run(encoder, timer));
         }
-        self.sun_dependent_passes.iter().for_each(|pass| pass.run(encoder, timer));
+        let clouds = Clouds::new(scene);
+        if let Some(clouds) = &clouds {
+            is_outdated |= self.clouds.record_maps(gpu, encoder, timer, clouds, &wanted);
+        }
+        if is_outdated {
+            self.clear_passes.iter().for_each(|pass| pass.run(encoder, timer));
+        }
+        match &clouds {
+            Some(clouds) => {
+                if self.clouds.record_dome(gpu, encoder, timer, scene, (clouds, &wanted)) && !is_outdated {
+                    // The passes that follow begin with the light of the clear sky.
+                    self.clear_passes.iter().for_each(|pass| pass.run(encoder, timer));
+                    is_outdated = true;
+                }
+            }
+            None => self.clouds.clear(gpu),
+        }
+        if is_outdated {
+            self.cloudy_passes.iter().for_each(|pass| pass.run(encoder, timer));
+        }
     }
 }
 
@@ -316,7 +334,8 @@ mod tests {
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             sky.sun_independent_passes
                 .iter()
-                .chain(&sky.sun_dependent_passes)
+                .chain(&sky.clear_passes)
+                .chain(&sky.cloudy_passes)
                 .for_each(|pass| pass.run(&mut encoder, &Timer::default()));
             let copy = readback::stage_buffer(&gpu, &mut encoder, &sky.light_buffer);
             gpu.submit(encoder);

@@ -4,7 +4,7 @@ use crate::gpu::layout::gpu_struct;
 use crate::render::frame::horizon_dip;
 use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
-use crate::state::look::SkyLook;
+use crate::state::look::{CloudKind, SkyLook};
 
 /// Step in which clouds move in the environment map (the sky that the sea reflects), km. It is less than a texel, and
 /// clouds take seconds to drift so far, so the map is computed again only every few seconds.
@@ -63,6 +63,11 @@ gpu_struct! {
         image_heading_turns: f32,
         /// Unit vector (x, z) of the sun's azimuth.
         sun_heading: [f32; 2],
+        /// 1 if there are volumetric clouds, else 0.
+        has_cloud_dome: f32,
+        unused_0: u32,
+        unused_1: u32,
+        unused_2: u32,
     }
 }
 
@@ -72,7 +77,7 @@ impl SkyUniform {
         // The eye's height is rounded to a quarter octave, so that small movements do not recompute the tables.
         let class = (4.0 * scene.view.eye.y.max(2.0).log2()).round() / 4.0;
         let mut sky = Self::for_look(&scene.look.sky, class.exp2());
-        if sky.overcast > 0.0 {
+        if sky.overcast > 0.0 && sky.has_cloud_dome == 0.0 {
             let km = scene.cloud_drift_m.map(|d| 0.001 * d);
             sky.cloud_drift_km = km.map(|d| d as f32);
             sky.reflected_cloud_drift_km =
@@ -90,6 +95,24 @@ impl SkyUniform {
     /// because it moves only the clouds drawn behind the sea, which are in no table.
     pub fn same_tables_as(&self, other: &Self) -> bool {
         Self { cloud_drift_km: other.cloud_drift_km, ..*self } == *other
+    }
+
+    /// Unit vector towards the sun.
+    pub fn sun_direction(&self) -> [f32; 3] {
+        self.sun_direction
+    }
+
+    /// A copy without the values that volumetric clouds do not depend on.
+    pub fn for_clouds(&self) -> Self {
+        let none = [0.0; 2];
+        Self {
+            cloud_drift_km: none,
+            reflected_cloud_drift_km: none,
+            eye_height_km: 0.0,
+            horizon_dip: 0.0,
+            fog: FogUniform { extinction_per_m: 0.0, start_m: 0.0, scale_height_m: 0.0, top_m: 0.0 },
+            ..*self
+        }
     }
 
     /// Values of the uniform for the sky settings `look`, `eye_m` metres above the sea, with the clouds of time 0.
@@ -125,6 +148,10 @@ impl SkyUniform {
             night_gain: night_gain as f32,
             image_heading_turns: (look.file_heading_deg / 360.0) as f32,
             sun_heading: glam::dvec2(sun[0], sun[2]).normalize_or(glam::DVec2::X).as_vec2().to_array(),
+            has_cloud_dome: f32::from(u8::from(look.drawn_clouds() != CloudKind::None)),
+            unused_0: 0,
+            unused_1: 0,
+            unused_2: 0,
         }
     }
 }
@@ -143,7 +170,8 @@ gpu_struct! {
         pub adaptation_luminance: f32,
         /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of a closed cloud deck at the zenith.
         pub overcast_zenith_radiance: [f32; 3],
-        /// Fraction of the direct sunlight that passes through the low clouds, 0 to 1, equal everywhere on the sea.
+        /// Mean fraction of the direct sunlight, after the veil of `overcast`, that passes between the volumetric clouds,
+        /// 0 to 1; `sun_irradiance` is that between the clouds.
         pub cloud_sun_transmittance: f32,
         /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of dense fog lit by the sky, equal in all directions.
         pub fog_sky_radiance: [f32; 3],
@@ -151,6 +179,9 @@ gpu_struct! {
         /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun at half the fog's height, on a plane facing it.
         pub fog_sun_irradiance: [f32; 3],
         unused_1: u32,
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky behind the volumetric clouds.
+        pub clear_sky_irradiance: [f32; 3],
+        unused_2: u32,
     }
 }
 

@@ -15,7 +15,7 @@ use crate::render::targets::{
 use crate::render::variants::{PipelineVariants, switch_constant};
 use crate::shaders::Shaders;
 use crate::sim::Maps;
-use crate::state::look::{FresnelFormula, MicrofacetDistribution};
+use crate::state::look::{CloudKind, FresnelFormula, MicrofacetDistribution};
 use wgpu::BindingResource::{Sampler, TextureView};
 
 /// Depth test of the lighting pass. Its triangle lies behind all water and before the sky, so only water pixels pass.
@@ -43,6 +43,8 @@ struct WaterLightVariant {
     /// Whether the sky is an image from a file.
     sky_image: bool,
     fog: bool,
+    /// Whether volumetric clouds shade the sea.
+    cloud_shadows: bool,
     /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
     point_samples: bool,
     /// Whether the light is that of the lean tier (shaders/water/lean.wgsl); a reference never is.
@@ -64,12 +66,13 @@ impl WaterLightVariant {
             schlick: surface.reflection.fresnel == FresnelFormula::Schlick,
             sky_image: scene.look.sky.panorama().is_some(),
             fog: scene.look.sky.fog_extinction_per_km > 0.0,
+            cloud_shadows: scene.look.sky.drawn_clouds() != CloudKind::None,
             point_samples: output == OutputKind::Reference,
             is_lean: scene.is_lean && output != OutputKind::Reference,
         }
     }
 
-    fn constants(self) -> [(&'static str, f64); 11] {
+    fn constants(self) -> [(&'static str, f64); 12] {
         [
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_CAUSTICS", self.caustics),
@@ -81,6 +84,7 @@ impl WaterLightVariant {
             switch_constant("WATER_SCHLICK", self.schlick),
             switch_constant("SKY_IMAGE", self.sky_image),
             switch_constant("SKY_FOG", self.fog),
+            switch_constant("SKY_CLOUD_SHADOWS", self.cloud_shadows),
             switch_constant("WATER_POINT_SAMPLES", self.point_samples),
         ]
     }

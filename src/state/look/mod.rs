@@ -5,7 +5,7 @@
 mod sky;
 mod surface;
 
-pub use sky::{SkyFile, SkyLook, SunPlacement};
+pub use sky::{CloudKind, SkyFile, SkyLook, SunPlacement};
 pub use surface::{BedLook, FoamLook, FresnelFormula, MicrofacetDistribution, Reflection, Scattering, SurfaceLook};
 
 use super::field::FieldKind::{Choice, Flag};

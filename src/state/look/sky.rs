@@ -17,6 +17,24 @@ choice_enum! {
     }
 }
 
+choice_enum! {
+    /// Kind of the volumetric clouds.
+    pub enum CloudKind {
+        /// No volumetric clouds.
+        None = "none",
+        /// Fair-weather cumulus: separate heaps with flat bases.
+        Cumulus = "cumulus",
+        /// A broken layer of low rolls and pancakes.
+        Stratocumulus = "stratocumulus",
+        /// Cumulus congestus: towers kilometres high.
+        Towering = "towering",
+        /// Thin fibrous ice clouds 9 km high, combed by the wind.
+        Cirrus = "cirrus",
+        /// The low, thick and dark deck of a storm.
+        Storm = "storm",
+    }
+}
+
 parameters! {
     /// Parameters of sun, sky and fog.
     pub struct SkyLook {
@@ -47,6 +65,12 @@ parameters! {
         haze: f64 = 1.0 => ("haze", "Haze", "", number(0.0, 10.0)),
         /// Cloud cover: blends from a clear sky (0) to a uniform cloud layer (1).
         overcast: f64 = 0.0 => ("overcast", "Overcast", "", number(0.0, 1.0)),
+        /// Kind of the clouds: none; cumulus of fair weather; stratocumulus, a broken low layer; towering cumulus; cirrus,
+        /// high and thin; storm, a low dark deck. They drift with the wind and shade the sea. With clouds, the cover
+        /// `overcast` is a veil behind them.
+        clouds: CloudKind = CloudKind::None => ("clouds", "Clouds", "", Choice(CloudKind::WORDS)),
+        /// Fraction of the sky that the clouds cover, if there are any.
+        cloud_cover: f64 = 0.35 => ("cloudcover", "Cloud cover", "", number(0.0, 1.0)),
         /// Extinction coefficient of the fog below its top. The visibility in km is about 4 divided by this value: 1 is
         /// mist, 4 fog, 40 thick fog.
         fog_extinction_per_km: f64 = 0.0 => ("fog", "Fog", "1/km", number(0.0, 100.0), "none"),
@@ -69,6 +93,11 @@ impl SkyLook {
     /// Decoded sky image; `None` if these parameters name no sky file, or its image is not loaded.
     pub fn panorama(&self) -> Option<&Arc<Panorama>> {
         self.file.as_ref()?.image.as_ref()
+    }
+
+    /// Kind of the volumetric clouds that are drawn: none with a sky image, which has its own clouds.
+    pub fn drawn_clouds(&self) -> CloudKind {
+        if self.panorama().is_some() { CloudKind::None } else { self.clouds }
     }
 
     /// Elevation and azimuth (clockwise from north) of the sun that lights the sea, degrees: those of the sun in the

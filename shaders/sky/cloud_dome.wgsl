@@ -1,0 +1,173 @@
+// Fills rows of a dome with clouds as seen from the sea: the light that they and the air before them add (rgb), and the
+// fraction of the light behind them that they let through (a). Distances are in km.
+
+@group(0) @binding(0) var<uniform> cloud_field: CloudField;
+@group(0) @binding(1) var<uniform> sky: Sky;
+@group(0) @binding(2) var<storage, read> light: Light;
+@group(0) @binding(3) var sky_view_map: texture_2d<f32>;
+@group(0) @binding(4) var transmittance_map: texture_2d<f32>;
+@group(0) @binding(5) var sky_sampler: sampler;
+@group(0) @binding(6) var weather_map: texture_2d<f32>;
+@group(0) @binding(7) var cloud_noise_map: texture_3d<f32>;
+@group(0) @binding(8) var cloud_sampler: sampler;
+@group(0) @binding(9) var dome_out: texture_storage_2d_array<rgba16float, write>;
+
+const DOME_MOST_STEPS = 160;
+// Clouds beyond this distance are lost in the haze.
+const DOME_FAR_KM = 140.0;
+// Transmittance below which a ray ends.
+const DOME_LEAST_TRANSMITTANCE = 0.01;
+// Shares of single, less often and often scattered sunlight, with the factors on extinction and asymmetry for each
+// (Wrenninge et al. 2013). They are chosen so that a thick cloud reflects half of the sunlight.
+const DOME_OCTAVE_WEIGHT = vec3f(1.0, 1.0, 2.0);
+const DOME_OCTAVE_EXTINCTION = vec3f(1.0, 0.3, 0.1);
+const DOME_OCTAVE_ASYMMETRY = vec3f(1.0, 0.6, 0.2);
+// Diffuse light that falls on cloud of the optical depth x passes with the fraction 1 / (1 + DOME_DIFFUSE * x).
+const DOME_DIFFUSE = 0.1;
+// Share of the sunlight on the top of a cloud that diffuses down beyond the reach of the octaves.
+const DOME_SUN_IN_DEPTH = 0.22;
+
+// Phase function of droplets, 1/sr: forward and backward lobes. The three components are for the octaves.
+fn dome_phase(c: f32) -> vec3f {
+  let g = DOME_OCTAVE_ASYMMETRY;
+  var out: vec3f;
+  for (var i = 0; i < 3; i++) {
+    out[i] = 0.72 * atm_henyey_greenstein(c, 0.82 * g[i]) + 0.28 * atm_henyey_greenstein(c, -0.25 * g[i]);
+  }
+  return out * DOME_OCTAVE_WEIGHT;
+}
+
+// Optical depth from p towards the sun: samples at growing distances, the first ones with the share `detail` of the fine
+// noise. `first_km` is the length of the first step.
+fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, detail: f32) -> f32 {
+  var depth = 0.0;
+  var step_km = first_km;
+  var at = p;
+  for (var i = 0; i < 7; i++) {
+    depth += step_km * cloud_density(at + (0.5 * step_km) * sun, select(0.0, detail, i < 3), 1.4 * step_km);
+    at += step_km * sun;
+    step_km *= 1.6;
+  }
+  return depth * cloud_field.extinction_per_km;
+}
+
+struct DomeLight {
+  // Factors on the light of sun, sky and sea.
+  sun: f32,
+  sky: f32,
+  sea: f32,
+  transmittance: f32,
+  // Mean distance of what is seen, km.
+  distance_km: f32,
+}
+
+fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
+  let ray = cloud_turned(dir);
+  let sun = cloud_turned(sky.sun_direction);
+  let phase = dome_phase(dot(dir, sky.sun_direction));
+  var out = DomeLight(0.0, 0.0, 0.0, 1.0, near);
+  var seen = 1e-6;
+  var distance_sum = near * seen;
+  var t = near;
+  for (var i = 0; i < DOME_MOST_STEPS; i++) {
+    if t >= far || out.transmittance < DOME_LEAST_TRANSMITTANCE {
+      break;
+    }
+    let alt = atm_altitude_along_ray(0.0, dir.y, t);
+    let p = vec3f(cloud_field.eye_km.x + ray.x * t, alt, cloud_field.eye_km.y + ray.z * t);
+    let finest = max(cloud_field.step_km, 0.004 * t);
+    let place = cloud_depth(p);
+    let depth = place.x;
+    // Fine noise that is finer than the dome's texels fades to its mean.
+    let detail = 1.0 - smoothstep(0.3, 1.2, 0.0075 * t * cloud_field.details_per_km);
+    var inside = depth;
+    if depth > -0.5 * cloud_field.shape_amplitude {
+      inside = cloud_rough_depth(p, place, detail);
+    } else {
+      inside += 0.45 * cloud_field.shape_amplitude;
+    }
+    if inside <= 0.0 {
+      // Nothing lies much nearer than the depth.
+      t += clamp(-inside * cloud_field.stride, 0.7 * finest, 12.0 * finest + 0.02 * t);
+      continue;
+    }
+    let density = saturate(inside * cloud_field.sharpness);
+    let extinction = density * cloud_field.extinction_per_km;
+    let step_km = finest * (1.0 + 2.5 * (1.0 - out.transmittance));
+    if density > 0.002 {
+      let tau = dome_sun_depth(p, sun, 1.2 * cloud_field.step_km, detail);
+      let octaves = exp(-tau * DOME_OCTAVE_EXTINCTION);
+      let rise = max(alt - cloud_field.base_km, 0.0);
+      let over_km = max(place.y, 0.0);
+      let above = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * over_km);
+      let below = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * rise);
+      let passed = exp(-extinction * step_km);
+      let share = out.transmittance * (1.0 - passed);
+      // Light that has been scattered often is weaker at the very surface, from which it escapes.
+      let buried = 1.0 - 0.7 * exp(-0.35 * (tau + cloud_field.extinction_per_km * 0.1 * inside));
+      let shine = phase * octaves;
+      out.sun += share * (shine.x + shine.y + shine.z * buried);
+      out.sky += share * 0.5 * above;
+      out.sea += share * 0.5 * below;
+      seen += share;
+      distance_sum += share * t;
+      out.transmittance *= passed;
+    }
+    t += step_km;
+  }
+  if out.transmittance < DOME_LEAST_TRANSMITTANCE {
+    out.transmittance = 0.0;
+  }
+  out.distance_km = distance_sum / seen;
+  return out;
+}
+
+// Transmittance of the air from the sea up along a ray to the distance t, linear sRGB.
+fn dome_air_transmittance(mu: f32, t: f32) -> vec3f {
+  let h = atm_altitude_along_ray(0.0, mu, t);
+  let there = (ATM_EARTH_RADIUS_KM * mu + t) / (ATM_EARTH_RADIUS_KM + h);
+  let whole = atm_transmittance(transmittance_map, sky_sampler, 0.0, mu, 1e-4);
+  let beyond = atm_transmittance(transmittance_map, sky_sampler, h, there, 1e-4);
+  return atm_linear_srgb(whole / max(beyond, vec4f(1e-6))) * vec3f(1.0 / 19.4, 1.0 / 20.0, 1.0 / 20.8);
+}
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+  let size = textureDimensions(dome_out);
+  let row = cloud_field.first_row + id.y * cloud_field.row_step;
+  if id.x >= size.x || row >= size.y {
+    return;
+  }
+  let above = max(cloud_map_elevation(f32(row) / f32(size.y - 1u)), 5e-4);
+  let azimuth = 2.0 * ATM_PI * (f32(id.x) + 0.5) / f32(size.x);
+  let dir = vec3f(sin(azimuth) * cos(above), sin(above), -cos(azimuth) * cos(above));
+  let near = cloud_distance_to(cloud_field.base_km, dir.y);
+  let far = min(cloud_distance_to(cloud_field.base_km + 1.0 / cloud_field.layers_per_km, dir.y), DOME_FAR_KM);
+  var out = vec4f(0.0, 0.0, 0.0, 1.0);
+  if near < far {
+    let seen = dome_march(dir, near, far);
+    if seen.transmittance < 0.999 {
+      let h = atm_altitude_along_ray(0.0, dir.y, seen.distance_km);
+      let nu = dot(dir, sky.sun_direction);
+      let mu_sun = (ATM_EARTH_RADIUS_KM * sky.sun_direction.y + seen.distance_km * nu) / (ATM_EARTH_RADIUS_KM + h);
+      let lit = atm_transmittance(transmittance_map, sky_sampler, h, mu_sun, sky.sun_radius_rad);
+      let veil = sky.overcast * sky.overcast;
+      let sun = atm_linear_srgb(lit) * sky.sun_tint * pow(1.0 - sky.overcast, 1.5);
+      let deck = light.overcast_zenith_radiance * (7.0 / 9.0);
+      let from_sky = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
+      // The sea and the low air return little of the light that falls on them between the clouds.
+      let on_sea = ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0);
+      let from_sea = (on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky) * mix(0.2, 1.0, sky_open_share());
+      // Deep in a cloud, the light from above is that of sky and sun together.
+      let from_above = from_sky + sun * (DOME_SUN_IN_DEPTH * max(sky.sun_direction.y, 0.0) / ATM_PI);
+      let radiance = seen.sun * sun + seen.sky * from_above + seen.sea * from_sea;
+      let air = dome_air_transmittance(dir.y, seen.distance_km);
+      let whole = dome_air_transmittance(dir.y, 1e3);
+      let hazed = (1.0 - air) / max(1.0 - whole, vec3f(1e-3));
+      let clear = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), veil);
+      let before = clear * saturate(hazed) * (sky_shaded_air() * (1.0 - seen.transmittance));
+      out = vec4f(radiance * air + before, seen.transmittance);
+    }
+  }
+  textureStore(dome_out, vec2u(id.x, row), cloud_field.layer, vec4f(min(out.rgb, vec3f(6e4)), out.a));
+}

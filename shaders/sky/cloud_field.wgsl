@@ -1,0 +1,75 @@
+// Density of the clouds at a point. Positions are in km in the frame of the field: x along the wind, y above the sea, z
+// across the wind. Needs the module variables cloud_field, weather_map, cloud_noise_map and cloud_sampler.
+
+// How far a point lies inside the clouds before noise roughens them, km (x), negative outside; how far it lies below
+// their top, km (y); and the shift of the noise there, km (zw).
+fn cloud_depth(p: vec3f) -> vec4f {
+  let map = textureSampleLevel(weather_map, cloud_sampler, p.xz * cloud_field.tiles_per_km, 0.0);
+  let rise = (p.y - cloud_field.base_km) * cloud_field.layers_per_km;
+  let along = map.g * cloud_field.tiles_per_km;
+  var room = map.r - rise;
+  if cloud_field.kind == CLOUD_CIRRUS {
+    room = map.r - 2.0 * abs(rise - 0.5);
+  }
+  // Height above the surface over its steepness is the distance from the surface.
+  let slope = sqrt(along * along + cloud_field.layers_per_km * cloud_field.layers_per_km);
+  return vec4f(room / slope, room / cloud_field.layers_per_km, map.ba / cloud_field.shapes_per_km);
+}
+
+// The depth with the noise. `place` is cloud_depth; `detail` is the share of the fine noise that is resolved, 0 to 1.
+fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
+  let depth = place.x;
+  // Shifts hide that the noise repeats.
+  let p = at + vec3f(place.z, 0.0, place.w);
+  if cloud_field.kind == CLOUD_CIRRUS {
+    // Fibres are drawn out along the wind, and bent by its shear.
+    let s = cloud_field.shapes_per_km;
+    let wide_at = vec3f(p.x / 3.0, p.y, p.z) * (0.25 * s);
+    let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, wide_at, 0.0).b - 0.5;
+    let q = vec3f(p.x / 12.0, p.y, p.z + 0.9 * bend / s) * s;
+    let wide = textureSampleLevel(cloud_noise_map, cloud_sampler, q, 0.0).b;
+    let r = vec3f(p.x / 16.0, p.y, p.z + 0.9 * bend / s) * cloud_field.details_per_km;
+    let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, r, 0.0).b;
+    let fibres = cloud_field.shape_amplitude * (wide - 0.58) + detail * cloud_field.detail_amplitude * (fine - 0.5);
+    return depth + fibres;
+  }
+  let shape = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.shapes_per_km, 0.0).r;
+  // Few heads stand free of the cloud.
+  let amplitude = cloud_field.shape_amplitude;
+  var inside = depth + amplitude * saturate(1.0 + 2.0 * depth / amplitude) * (shape - 0.5);
+  let rise_km = p.y - cloud_field.base_km;
+  var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
+  if detail > 0.0 && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
+    let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.details_per_km, 0.0).g;
+    // Heads above, wisps at the base.
+    let heads = mix(0.9 - fine, fine, saturate(0.25 + 6.0 * rise_km * cloud_field.layers_per_km));
+    inside += detail * cloud_field.detail_amplitude * (heads - 0.45);
+    bump_km += 0.4 * detail * cloud_field.detail_amplitude * (fine - 0.45);
+  }
+  // The base is nearly flat.
+  return min(inside, (rise_km - bump_km) * (cloud_field.base_sharpness / cloud_field.sharpness));
+}
+
+// Density at a point with the share `detail` of the fine noise, averaged over about `blur_km`.
+fn cloud_density(p: vec3f, detail: f32, blur_km: f32) -> f32 {
+  let place = cloud_depth(p);
+  let blur = 0.5 * blur_km;
+  if place.x < -0.5 * cloud_field.shape_amplitude - blur {
+    return 0.0;
+  }
+  let inside = cloud_rough_depth(p, place, detail);
+  return saturate((inside + blur) / (2.0 * blur + 1.0 / cloud_field.sharpness));
+}
+
+// Direction in the frame of the field, from one in the axes of the world.
+fn cloud_turned(v: vec3f) -> vec3f {
+  let w = cloud_field.downwind;
+  return vec3f(dot(v.xz, w), v.y, dot(v.xz, vec2f(-w.y, w.x)));
+}
+
+// Distance, km, along a ray from the sea to the height `h` above it; `mu` is the sine of the ray's elevation.
+fn cloud_distance_to(h: f32, mu: f32) -> f32 {
+  let b = ATM_EARTH_RADIUS_KM * mu;
+  let c = h * (2.0 * ATM_EARTH_RADIUS_KM + h);
+  return c / (b + sqrt(b * b + c));
+}

@@ -1,0 +1,30 @@
+// Fills the repeating map of the sunlight that passes through the clouds, by the point where a ray towards the sun meets
+// the height of their base.
+
+@group(0) @binding(0) var<uniform> cloud_field: CloudField;
+@group(0) @binding(1) var<uniform> sky: Sky;
+@group(0) @binding(2) var weather_map: texture_2d<f32>;
+@group(0) @binding(3) var cloud_noise_map: texture_3d<f32>;
+@group(0) @binding(4) var cloud_sampler: sampler;
+@group(0) @binding(5) var shadow_out: texture_storage_2d<rgba16float, write>;
+
+const SHADOW_STEPS = 24;
+// Length of the longest path through the layer, in thicknesses (`SHADOW_LONGEST` in src/render/sky/clouds.rs).
+const SHADOW_LONGEST = 12.0;
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+  let at = (vec2f(id.xy) + 0.5) / (vec2f(textureDimensions(shadow_out)) * cloud_field.tiles_per_km);
+  let sun = cloud_turned(sky.sun_direction);
+  let steep = max(sun.y, 1.0 / SHADOW_LONGEST);
+  let slope = vec3f(sun.x, steep, sun.z) / steep;
+  let step_km = 1.0 / (cloud_field.layers_per_km * f32(SHADOW_STEPS));
+  var depth = 0.0;
+  for (var i = 0; i < SHADOW_STEPS; i++) {
+    let rise = (f32(i) + 0.5) * step_km;
+    let p = vec3f(at.x, cloud_field.base_km, at.y) + slope * rise;
+    depth += cloud_density(p, 0.0, step_km * length(slope));
+  }
+  depth *= step_km * length(slope) * cloud_field.extinction_per_km;
+  textureStore(shadow_out, id.xy, vec4f(exp(-depth), 0.0, 0.0, 1.0));
+}

@@ -1,0 +1,120 @@
+// Fills the repeating map of the clouds' height above their base, as a fraction of the layer's thickness: positive where
+// there is cloud, and falling below 0 away from it (red); of the steepness of that height, 1/tile (green); and of
+// shifts of the noise in two directions, in sides of the noise (blue and alpha).
+
+@group(0) @binding(0) var<uniform> cloud_field: CloudField;
+@group(0) @binding(1) var weather_out: texture_storage_2d<rgba16float, write>;
+
+fn weather_random(cell: vec2i, period: i32, key: u32) -> vec4f {
+  let wrapped = ((cell % period) + period) % period;
+  var v = vec4u(vec2u(wrapped), key, u32(period)) * 1664525u + 1013904223u;
+  v.x += v.y * v.w;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v.w += v.y * v.z;
+  v = v ^ (v >> vec4u(16u));
+  v.x += v.y * v.w;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v.w += v.y * v.z;
+  return vec4f(v >> vec4u(8u)) / 16777216.0;
+}
+
+// Gradient noise of mean 0 and standard deviation of about 0.25; `at` counts tiles.
+fn weather_smooth(at: vec2f, period: i32, key: u32) -> f32 {
+  let p = at * f32(period);
+  let cell = vec2i(floor(p));
+  let f = p - floor(p);
+  let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+  var corner: array<f32, 4>;
+  for (var i = 0; i < 4; i++) {
+    let off = vec2i(i & 1, i >> 1);
+    let turn = 2.0 * ATM_PI * weather_random(cell + off, period, key).x;
+    corner[i] = dot(vec2f(cos(turn), sin(turn)), f - vec2f(off));
+  }
+  return mix(mix(corner[0], corner[1], u.x), mix(corner[2], corner[3], u.x), u.y);
+}
+
+fn weather_fractal(at: vec2f, period: i32, key: u32) -> f32 {
+  return weather_smooth(at, period, key) + 0.5 * weather_smooth(at, 2 * period, key + 1u)
+    + 0.25 * weather_smooth(at, 4 * period, key + 2u);
+}
+
+// Heaps of cloud: the highest of paraboloids at random points, one in each of `cells` x `cells` cells of the tile.
+// `area` is the sum of their areas divided by that of the tile, `steepness` the height of a heap divided by its radius,
+// both as fractions of tile and layer.
+fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> vec2f {
+  let p = at * f32(cells);
+  let cell = vec2i(floor(p));
+  var high = vec2f(-1.0, 0.0);
+  for (var i = 0; i < 25; i++) {
+    let off = vec2i(i % 5, i / 5) - 2;
+    let random = weather_random(cell + off, cells, key);
+    let middle = vec2f(cell + off) + random.xy;
+    // Heaps gather in groups, with gaps between them. Small ones are many, large ones few.
+    let group = exp(3.2 * weather_smooth(middle / f32(cells), 5, key + 3u) - 0.32);
+    let mean_square = area * group * (-log(max(random.z, 0.02))) / ATM_PI;
+    let radius = min(sqrt(mean_square), 1.5);
+    let size = min(steepness * radius * (0.7 + 0.6 * random.w), 1.0);
+    let d = middle - p;
+    let square = radius * radius + 1e-4;
+    // The smallest heaps have dissolved.
+    let here = size * (1.0 - dot(d, d) / square) - 0.06;
+    if here > high.x {
+      high = vec2f(here, 2.0 * size * min(length(d), radius) / square * f32(cells));
+    }
+  }
+  return high;
+}
+
+// Distance to the nearest of random points, one in each cell, in cells.
+fn weather_cells(at: vec2f, cells: i32, key: u32) -> f32 {
+  let p = at * f32(cells);
+  let cell = vec2i(floor(p));
+  var nearest = 4.0;
+  for (var i = 0; i < 9; i++) {
+    let off = vec2i(i % 3, i / 3) - 1;
+    let d = vec2f(cell + off) + weather_random(cell + off, cells, key).xy - p;
+    nearest = min(nearest, dot(d, d));
+  }
+  return sqrt(nearest);
+}
+
+// The value that a normal variable exceeds with the probability `share`, to 1 % of its deviation.
+fn weather_normal_quantile(share: f32) -> f32 {
+  let x = clamp(share, 0.002, 0.998);
+  return 4.91 * (pow(1.0 - x, 0.14) - pow(x, 0.14));
+}
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+  let size = vec2f(textureDimensions(weather_out));
+  let bare = (vec2f(id.xy) + 0.5) / size;
+  // Bent coordinates leave no round outlines.
+  let bend = vec2f(weather_fractal(bare, 14, 31u), weather_fractal(bare, 14, 47u));
+  let at = bare + 0.012 * bend;
+  let cover = cloud_field.cover;
+  let area = -log(max(1.0 - cover, 0.02));
+  var high = vec2f(-1.0, 0.0);
+  if cloud_field.kind == CLOUD_CUMULUS || cloud_field.kind == CLOUD_TOWERING {
+    let wide = weather_heaps(at, 20, 0.6 * area, cloud_field.steepness / 20.0, 1u);
+    let narrow = weather_heaps(at, 47, 0.4 * area, 1.15 * cloud_field.steepness / 47.0, 11u);
+    high = select(narrow, wide, wide.x > narrow.x);
+  } else if cloud_field.kind == CLOUD_STRATOCUMULUS {
+    // Pancakes that are longer across the wind than along it, parted by cracks.
+    let pancakes = 0.62 - weather_cells(at, 26, 5u) + 0.35 * (0.62 - weather_cells(at, 55, 6u));
+    let patches = weather_fractal(at, 5, 17u);
+    let n = 1.5 * pancakes + 1.1 * patches;
+    high.x = 0.62 * (n - 0.3 - 0.46 * weather_normal_quantile(cover));
+  } else if cloud_field.kind == CLOUD_CIRRUS {
+    let n = weather_fractal(vec2f(at.x, at.y), 4, 23u) + 0.35 * weather_fractal(at, 11, 29u);
+    high.x = 1.6 * (n - 0.31 * weather_normal_quantile(cover));
+  } else {
+    // A storm deck has few gaps at any cover.
+    let n = weather_fractal(at, 4, 41u) + 0.35 * weather_fractal(at, 19, 45u);
+    let open = (1.0 - cover) * (1.0 - cover);
+    high.x = 0.6 + 1.3 * (n - 0.29 * weather_normal_quantile(1.0 - open * (1.0 - cover)));
+  }
+  let shift = 1.3 * vec2f(weather_smooth(bare, 7, 61u), weather_smooth(bare, 7, 67u));
+  textureStore(weather_out, id.xy, vec4f(clamp(high.x, -1.0, 1.0), high.y, shift));
+}

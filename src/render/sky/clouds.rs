@@ -1,0 +1,388 @@
+//! Volumetric clouds: a dome around the eye that is filled by ray marching (shaders/sky/cloud_dome.wgsl), and the shadows
+//! of the clouds on the sea (shaders/sky/cloud_shadow.wgsl). A still gets a complete dome. In a running sea, a second
+//! dome is filled by a few rows a frame, which takes about a second; the picture fades to it while the next is filled.
+
+pub use super::cloud_field::CloudField;
+use super::cloud_field::Clouds;
+use super::table_pass::{TablePass, workgroups};
+use super::uniform::{LightBuffer, SkyUniform};
+use crate::gpu::Gpu;
+use crate::gpu::kit::{BindingType, mip_view};
+use crate::gpu::layout::gpu_struct;
+use crate::gpu::timer::Timer;
+use crate::gpu::uniform::Uniform;
+use crate::render::scene::Scene;
+use crate::shaders::Shaders;
+use wgpu::BindingResource::{Sampler, TextureView};
+
+/// Side of the maps of weather and shadow, texels.
+const MAP_SIDE: u32 = 256;
+/// Side of the 3D noise, texels, for domes with fewer columns than [`FINE_NOISE_COLUMNS`] and for others.
+const NOISE_SIDES: [u32; 2] = [64, 128];
+const FINE_NOISE_COLUMNS: u32 = 2048;
+/// Columns of the dome for each pixel of the picture's width, and the fewest and the most columns.
+const COLUMNS_PER_PIXEL: f64 = 2.4;
+const COLUMN_RANGE: [u32; 2] = [512, 4096];
+/// Most columns of the dome in the lean tier.
+const MOST_LEAN_COLUMNS: u32 = 2048;
+/// Rows that a frame of a running sea fills: at most 65,536 rays.
+const ROWS_PER_FRAME: u32 = 16;
+/// Layers of the dome texture: the picture fades from one to another while the third is filled.
+const DOME_LAYERS: u32 = 3;
+/// Distance, km, by which the clouds may have moved since their dome was filled; after a longer leap it is filled anew.
+const LONGEST_SHIFT_KM: f64 = 1.0;
+
+gpu_struct! {
+    /// WGSL `Clouds`: how the picture reads the dome of clouds and their shadows.
+    #[derive(Default)]
+    pub struct CloudView as "Clouds" {
+        /// Distance (x, z), km, by which the clouds have moved relative to the eye since the newest dome was filled.
+        new_shift_km: [f32; 2],
+        /// The same for the dome before it.
+        old_shift_km: [f32; 2],
+        /// Layer of the newest complete dome, and of the one before.
+        new_layer: u32,
+        old_layer: u32,
+        /// Share of the older dome in the picture.
+        old_share: f32,
+        /// Height, km, that stands for the clouds where a dome is moved with them; 0 without clouds.
+        height_km: f32,
+        /// Change of the first and of the second coordinate in the map of shadows along x and z, 1/m.
+        shadow_along: [f32; 2],
+        shadow_across: [f32; 2],
+        /// Coordinates in the map of shadows of the point of the sea below the eye.
+        shadow_offset: [f32; 2],
+        /// Binary logarithm of the number of texels per metre in the map of shadows.
+        log_shadow_texels_per_m: f32,
+        unused: u32,
+    }
+}
+
+/// A dome, complete or being filled: its layer, and the clouds at its time.
+#[derive(Clone, Copy)]
+struct Dome {
+    layer: u32,
+    clouds: Clouds,
+}
+
+/// What a dome depends on besides the position of the clouds: if it changes, the dome is filled anew at once.
+#[derive(Clone, Copy, PartialEq)]
+struct Surroundings {
+    field: CloudField,
+    sky: SkyUniform,
+    columns: u32,
+}
+
+/// Passes that compute clouds; compiled for the first picture that has any.
+struct Passes {
+    noise: TablePass,
+    weather: TablePass,
+    shadow: TablePass,
+    shadow_mips: Vec<TablePass>,
+    dome: TablePass,
+    has_noise: bool,
+}
+
+/// Textures that the passes of the sky share with the clouds.
+pub struct SharedTables<'a> {
+    pub sky: &'a wgpu::Buffer,
+    pub light: &'a wgpu::Buffer,
+    pub sky_view: &'a wgpu::TextureView,
+    pub transmittance: &'a wgpu::TextureView,
+    pub sampler: &'a wgpu::Sampler,
+}
+
+/// Volumetric clouds: their dome and their shadows.
+pub struct CloudPass {
+    shaders: Shaders,
+    pub view: Uniform<CloudView>,
+    field: Uniform<CloudField>,
+    shadow_texture: wgpu::Texture,
+    /// Map of the sunlight that passes between the clouds, with mip levels.
+    pub shadow: wgpu::TextureView,
+    /// The dome texture: one black texel until there are clouds.
+    pub dome: wgpu::TextureView,
+    pub layout: wgpu::BindGroupLayout,
+    /// Bind group of the dome, for the pass that draws the sky.
+    pub group: wgpu::BindGroup,
+    columns: u32,
+    passes: Option<Passes>,
+    /// The field for which the maps of weather and shadow were made, with the direction of the sun.
+    maps_made_for: Option<(CloudField, [f32; 3])>,
+    dome_made_for: Option<Surroundings>,
+    /// The newest complete dome, and the one before.
+    shown: Option<[Dome; 2]>,
+    /// The dome that is being filled, and the number of its parts that are done.
+    filling: Option<(Dome, u32)>,
+}
+
+fn dome_texture(gpu: &Gpu, format: wgpu::TextureFormat, [width, height, layers]: [u32; 3]) -> wgpu::Texture {
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
+    gpu.texture("sky/cloud dome", [width, height, layers], 1, format, usage)
+}
+
+fn array_view(texture: &wgpu::Texture) -> wgpu::TextureView {
+    texture.create_view(&wgpu::TextureViewDescriptor {
+        dimension: Some(wgpu::TextureViewDimension::D2Array),
+        ..Default::default()
+    })
+}
+
+impl CloudPass {
+    /// Creates the small resources that every picture binds; the others follow with the first clouds.
+    pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
+        let format = shaders.map_format(gpu).texture_format();
+        let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
+        let mips = MAP_SIDE.ilog2() + 1;
+        let shadow_texture = gpu.texture("sky/cloud shadow", [MAP_SIDE, MAP_SIDE, 1], mips, format, usage);
+        let dome = array_view(&dome_texture(gpu, format, [1, 1, 1]));
+        let layout =
+            gpu.bind_group_layout("sky/cloud dome", wgpu::ShaderStages::FRAGMENT, &[BindingType::TextureArray]);
+        Self {
+            shaders: shaders.clone(),
+            view: Uniform::new(gpu, "clouds"),
+            field: Uniform::new(gpu, "cloud field"),
+            shadow: shadow_texture.create_view(&wgpu::TextureViewDescriptor::default()),
+            shadow_texture,
+            group: gpu.bind_group("sky/cloud dome", &layout, &[TextureView(&dome)]),
+            dome,
+            layout,
+            columns: 0,
+            passes: None,
+            maps_made_for: None,
+            dome_made_for: None,
+            shown: None,
+            filling: None,
+        }
+    }
+
+    /// Number of columns of the dome for a picture `width` pixels wide.
+    fn wanted_columns(width: u32, is_lean: bool) -> u32 {
+        let wanted = (COLUMNS_PER_PIXEL * f64::from(width)) as u32;
+        let most = if is_lean { MOST_LEAN_COLUMNS } else { COLUMN_RANGE[1] };
+        wanted.next_power_of_two().clamp(COLUMN_RANGE[0], most)
+    }
+
+    fn rows(&self) -> u32 {
+        self.columns * 3 / 16
+    }
+
+    /// Creates the dome for a picture of `scene` that is `width` pixels wide. Returns whether there is a new texture.
+    pub fn prepare(&mut self, gpu: &Gpu, scene: &Scene, width: u32, tables: &SharedTables<'_>) -> bool {
+        let columns = Self::wanted_columns(width, scene.is_lean);
+        if Clouds::new(scene).is_none() || columns == self.columns {
+            return false;
+        }
+        self.columns = columns;
+        let format = self.shaders.map_format(gpu).texture_format();
+        self.dome = array_view(&dome_texture(gpu, format, [columns, self.rows(), DOME_LAYERS]));
+        self.group = gpu.bind_group("sky/cloud dome", &self.layout, &[TextureView(&self.dome)]);
+        self.passes = Some(self.create_passes(gpu, tables));
+        (self.maps_made_for, self.dome_made_for, self.shown, self.filling) = (None, None, None, None);
+        true
+    }
+
+    fn create_passes(&self, gpu: &Gpu, tables: &SharedTables<'_>) -> Passes {
+        let format = self.shaders.map_format(gpu).texture_format();
+        let image = BindingType::StorageTexture(format);
+        let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
+        let side = NOISE_SIDES[usize::from(self.columns >= FINE_NOISE_COLUMNS)];
+        let noise_format = wgpu::TextureFormat::Rgba8Unorm;
+        let noise = gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("sky/cloud noise"),
+            size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: side },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D3,
+            format: noise_format,
+            usage,
+            view_formats: &[],
+        });
+        let noise = noise.create_view(&wgpu::TextureViewDescriptor::default());
+        let weather = gpu.texture("sky/cloud weather", [MAP_SIDE, MAP_SIDE, 1], 1, format, usage);
+        let weather = weather.create_view(&wgpu::TextureViewDescriptor::default());
+        let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("clouds"),
+            address_mode_u: wgpu::AddressMode::Repeat,
+            address_mode_v: wgpu::AddressMode::Repeat,
+            address_mode_w: wgpu::AddressMode::Repeat,
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
+        });
+        let module = |name| self.shaders.module(gpu, name);
+        let field = (BindingType::Uniform(size_of::<CloudField>()), self.field.buffer.as_entire_binding());
+        let sky = (BindingType::Uniform(size_of::<SkyUniform>()), tables.sky.as_entire_binding());
+        let weather_map = (BindingType::Texture, TextureView(&weather));
+        let noise_map = (BindingType::Texture3d, TextureView(&noise));
+        let repeat = (BindingType::Sampler, Sampler(&sampler));
+        let map_groups = workgroups([MAP_SIDE; 2]);
+        let base = mip_view(&self.shadow_texture, 0);
+        let mut shadow_mips: Vec<TablePass> = Vec::new();
+        for level in 1..=MAP_SIDE.ilog2() {
+            let [from, to] = [level - 1, level].map(|i| mip_view(&self.shadow_texture, i));
+            let bindings = [(BindingType::Texture, TextureView(&from)), (image, TextureView(&to))];
+            let groups = workgroups([MAP_SIDE >> level; 2]);
+            shadow_mips.push(match shadow_mips.first() {
+                Some(first) => first.with_resources(gpu, &bindings.map(|b| b.1), groups),
+                None => TablePass::new(gpu, "sky/filter", (&module("sky/filter"), "main"), &bindings, groups),
+            });
+        }
+        Passes {
+            noise: TablePass::new(
+                gpu,
+                "sky/cloud noise",
+                (&module("sky/cloud_noise"), "main"),
+                &[(BindingType::StorageTexture3d(noise_format), TextureView(&noise))],
+                [side / 4; 3],
+            ),
+            weather: TablePass::new(
+                gpu,
+                "sky/cloud weather",
+                (&module("sky/cloud_weather"), "main"),
+                &[field.clone(), (image, TextureView(&weather))],
+                map_groups,
+            ),
+            shadow: TablePass::new(
+                gpu,
+                "sky/cloud shadow",
+                (&module("sky/cloud_shadow"), "main"),
+                &[
+                    field.clone(),
+                    sky.clone(),
+                    weather_map.clone(),
+                    noise_map.clone(),
+                    repeat.clone(),
+                    (image, TextureView(&base)),
+                ],
+                map_groups,
+            ),
+            shadow_mips,
+            dome: TablePass::new(
+                gpu,
+                "sky/cloud dome",
+                (&module("sky/cloud_dome"), "main"),
+                &[
+                    field,
+                    sky,
+                    (BindingType::StorageRead(size_of::<LightBuffer>()), tables.light.as_entire_binding()),
+                    (BindingType::Texture, TextureView(tables.sky_view)),
+                    (BindingType::Texture, TextureView(tables.transmittance)),
+                    (BindingType::Sampler, Sampler(tables.sampler)),
+                    weather_map,
+                    noise_map,
+                    repeat,
+                    (BindingType::StorageTextureArray(format), TextureView(&self.dome)),
+                ],
+                workgroups([self.columns, self.rows()]),
+            ),
+            has_noise: false,
+        }
+    }
+
+    /// Records the maps of weather and shadow if they do not match the clouds and the sun. Returns whether it did.
+    pub fn record_maps(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &Timer,
+        clouds: &Clouds,
+        sky: &SkyUniform,
+    ) -> bool {
+        let Some(passes) = &mut self.passes else { return false };
+        let wanted = (clouds.fixed(), sky.sun_direction());
+        if self.maps_made_for == Some(wanted) {
+            return false;
+        }
+        self.field.write(gpu, &clouds.field);
+        if !passes.has_noise {
+            passes.noise.run(encoder, timer);
+            passes.has_noise = true;
+        }
+        passes.weather.run(encoder, timer);
+        passes.shadow.run(encoder, timer);
+        passes.shadow_mips.iter().for_each(|pass| pass.run(encoder, timer));
+        self.maps_made_for = Some(wanted);
+        true
+    }
+
+    /// Records the passes that fill the dome, whole or in part, and writes how the picture reads it. Returns whether a
+    /// new dome is complete.
+    pub fn record_dome(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &Timer,
+        scene: &Scene,
+        (clouds, sky): (&Clouds, &SkyUniform),
+    ) -> bool {
+        let Some(passes) = &self.passes else { return false };
+        let field = CloudField { downwind: [0.0; 2], ..clouds.fixed() };
+        let wanted = Surroundings { field, sky: sky.for_clouds(), columns: self.columns };
+        let (is_other, is_running) = (self.dome_made_for != Some(wanted), scene.may_keep_pipelines);
+        let mut is_complete = false;
+        let near = self.shown.filter(|[new, _]| is_running && !is_other && is_near(&new.clouds, clouds));
+        if let Some([new, old]) = near {
+            let free = (0..DOME_LAYERS).find(|&layer| layer != new.layer && layer != old.layer).unwrap_or(0);
+            let (dome, part) = self.filling.unwrap_or((Dome { layer: free, clouds: *clouds }, 0));
+            let parts = self.rows() / ROWS_PER_FRAME;
+            let field = CloudField { layer: dome.layer, first_row: part, row_step: parts, ..dome.clouds.field };
+            self.field.write(gpu, &field);
+            passes.dome.run_workgroups(encoder, timer, workgroups([self.columns, ROWS_PER_FRAME]));
+            self.filling = Some((dome, part + 1));
+            if part + 1 == parts {
+                (self.shown, self.filling) = (Some([dome, new]), None);
+                is_complete = true;
+            }
+        } else if is_other || self.shown.is_none_or(|[new, _]| new.clouds != *clouds) {
+            self.field.write(gpu, &clouds.field);
+            passes.dome.run(encoder, timer);
+            let dome = Dome { layer: 0, clouds: *clouds };
+            (self.shown, self.filling, self.dome_made_for) = (Some([dome, dome]), None, Some(wanted));
+            is_complete = true;
+        } else {
+            // The picture shows the newest dome alone.
+            (self.shown, self.filling) = (self.shown.map(|[new, _]| [new, new]), None);
+        }
+        self.write_view(gpu, clouds, sky);
+        is_complete
+    }
+
+    fn write_view(&self, gpu: &Gpu, clouds: &Clouds, sky: &SkyUniform) {
+        let Some([new, old]) = self.shown else { return };
+        let shift = |dome: &Dome| std::array::from_fn(|i| (dome.clouds.eye_km[i] - clouds.eye_km[i]) as f32);
+        let parts = self.rows() / ROWS_PER_FRAME;
+        let done = self.filling.map_or(0, |(_, part)| part) as f32 / parts as f32;
+        let [shadow_along, shadow_across, shadow_offset] = clouds.shadow_axes(sky.sun_direction());
+        let texels_per_m = 0.001 * clouds.field.tiles_per_km * MAP_SIDE as f32;
+        self.view.write(
+            gpu,
+            &CloudView {
+                new_shift_km: shift(&new),
+                old_shift_km: shift(&old),
+                new_layer: new.layer,
+                old_layer: old.layer,
+                old_share: if new.layer == old.layer { 0.0 } else { 1.0 - done },
+                height_km: clouds.height_km(),
+                shadow_along,
+                shadow_across,
+                shadow_offset,
+                log_shadow_texels_per_m: texels_per_m.log2(),
+                unused: 0,
+            },
+        );
+    }
+
+    /// Tells the picture that there are no clouds.
+    pub fn clear(&mut self, gpu: &Gpu) {
+        if self.shown.take().is_some() {
+            self.view.write(gpu, &CloudView::default());
+            (self.dome_made_for, self.filling) = (None, None);
+        }
+    }
+}
+
+/// Whether a dome of the clouds `made` can be moved to show `wanted`.
+fn is_near(made: &Clouds, wanted: &Clouds) -> bool {
+    (0..2).all(|i| (made.eye_km[i] - wanted.eye_km[i]).abs() < LONGEST_SHIFT_KM)
+}
