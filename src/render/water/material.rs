@@ -10,19 +10,42 @@ use glam::{DMat2, DVec2};
 
 /// Number of noise layers, each the noise texture at its own size and angle: four for foam, two for the bed.
 const NOISE_LAYERS: usize = 6;
-/// Shape of a noise layer: sides of its tile along and across its axis, m; angle from the wind to the axis, degrees;
-/// relative lengthening of the tile along the axis in a storm.
-type LayerShape = (f64, f64, f64, f64);
-/// Shapes of the noise layers: four of foam (windrows, patches, strands, bubbles), two of sand (patches with ripple
-/// marks, grains). Sides and angles have no common period, so that the sum of the layers does not repeat.
+/// Shape of a noise layer.
+#[derive(Clone, Copy)]
+struct LayerShape {
+    /// Sides of its tile along and across its axis, m.
+    along_m: f64,
+    across_m: f64,
+    /// Angle from the wind to the axis, degrees.
+    turn_deg: f64,
+    /// Relative lengthening of the tile along the axis in a storm.
+    longer: f64,
+    /// Weight of the layer in the pattern of old foam, and what a storm adds.
+    weight: f64,
+    gale_weight: f64,
+}
+
+impl LayerShape {
+    const fn foam([along_m, across_m, turn_deg, longer]: [f64; 4], [weight, gale_weight]: [f64; 2]) -> Self {
+        Self { along_m, across_m, turn_deg, longer, weight, gale_weight }
+    }
+
+    const fn sand(side_m: f64, turn_deg: f64) -> Self {
+        Self::foam([side_m, side_m, turn_deg, 0.0], [0.0; 2])
+    }
+}
+
+/// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), two of sand (patches with ripple
+/// marks, grains). Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows
+/// gather old foam between the rolls of the Langmuir circulation, 10 to 50 m apart, in winds above 8 m/s.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
-    (430.0, 430.0, 0.0, 5.0),
-    (71.0, 71.0, 7.0, 2.6),
-    (10.7, 10.7, -9.0, 1.9),
-    (1.63, 1.63, 41.0, 0.0),
+    LayerShape::foam([610.0, 230.0, 0.0, 3.5], [0.36, 0.6]),
+    LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.55, 0.0]),
+    LayerShape::foam([10.7, 10.7, -9.0, 1.6], [1.2, 0.0]),
+    LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.35, 0.0]),
     // The ripple marks of the sand have 38.6 periods per tile (shaders/water/bed.wgsl).
-    (12.35, 12.35, 63.0, 0.0),
-    (0.97, 0.97, 11.0, 0.0),
+    LayerShape::sand(12.35, 63.0),
+    LayerShape::sand(0.97, 11.0),
 ];
 /// Fraction of light that must remain after the way straight down to the bed and back, or else the bed is not drawn.
 const MIN_BED_TRANSMITTANCE: f64 = 1e-3;
@@ -37,7 +60,8 @@ gpu_struct! {
         uv_below_eye: [f32; 2],
         /// Binary logarithm of the number of texels of the noise texture per metre, the geometric mean of both axes.
         log_texels_per_m: f32,
-        unused: u32,
+        /// Weight of the layer in the pattern of old foam.
+        foam_weight: f32,
     }
 }
 
@@ -45,7 +69,7 @@ impl NoiseLayer {
     /// The transformation for a noise layer and an eye above the world position `below_eye` (x, z), m. `gale` goes from
     /// 0 to 1 with the wind and lengthens the layer's tile along its axis.
     fn new(
-        (along_m, across_m, turn_deg, longer): LayerShape,
+        LayerShape { along_m, across_m, turn_deg, longer, weight, gale_weight }: LayerShape,
         downwind: [f64; 2],
         gale: f64,
         below_eye: [f64; 2],
@@ -59,7 +83,7 @@ impl NoiseLayer {
             uv_from_position: DMat2::from_cols(along, across).transpose().as_mat2(),
             uv_below_eye: [at(along), at(across)],
             log_texels_per_m: texels_per_m.log2() as f32,
-            unused: 0,
+            foam_weight: (weight + gale * gale_weight) as f32,
         }
     }
 }
