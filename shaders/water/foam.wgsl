@@ -6,12 +6,12 @@ const FOAM_PATCH_LAYER = 1u;
 const FOAM_STRAND_LAYER = 2u;
 const FOAM_THREAD_LAYER = 3u;
 // Weights of the layers in the pattern of a breaker's front. Those of old foam grow with the wind (material.rs).
-const FOAM_FRONT_WEIGHTS = vec4f(0.1, 0.5, 0.8, 0.7);
+const FOAM_FRONT_WEIGHTS = vec4f(0.1, 0.75, 0.8, 0.8);
 // Reciprocal of the standard deviations of the values of cloud (evenly spread) and of lace and lumps (normal).
 const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
 // Softness of the edges of film and of body, in deviations of the pattern, of old foam (x) and of a front (y).
-const FOAM_FILM_SOFTNESS = vec2f(0.3, 0.3);
-const FOAM_BODY_SOFTNESS = vec2f(0.14, 0.18);
+const FOAM_FILM_SOFTNESS = vec2f(0.2, 0.2);
+const FOAM_BODY_SOFTNESS = vec2f(0.1, 0.14);
 // Opacity of the film, and what the body adds where it lies on it. A film of bubbles is bluish, because water shows
 // through.
 const FOAM_FILM_OPACITY = vec2f(0.16, 0.4);
@@ -20,7 +20,7 @@ const FOAM_BODY_OPACITY = vec2f(0.5, 0.56);
 const FOAM_OLD_SHIFT = vec2f(0.35, -0.25);
 const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
 // Standard deviation of the height of a front's lumps of decimetres (x) and of centimetres (y), m.
-const FOAM_LUMP_HEIGHT_M = vec2f(0.05, 0.006);
+const FOAM_LUMP_HEIGHT_M = vec2f(0.06, 0.011);
 // Height of the body of a front above the water, m.
 const FOAM_BODY_HEIGHT_M = 0.07;
 // Least distances, m, over which the slopes of both are measured.
@@ -31,11 +31,11 @@ const FOAM_OLD_RELIEF = 0.25;
 const FOAM_RELIEF_SLOPE_SIGMA = 0.3;
 // Simulated front above which a cell shows one, and from which it is full.
 const FOAM_FRONT_RANGE = vec2f(0.3, 0.9);
-// Foam in a cell, besides that of its front, relative to what the simulation holds there. With it, the mean of both is
-// that of the simulated foam, within 2 % in winds of 8 to 26 m/s: foam is thickest where the fronts lie.
-const FOAM_REST_RATIO = 0.84;
-// Share of the fronts in the mean of the foam.
-const FOAM_MEAN_FRONT_SHARE = 0.28;
+// Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
+// the mean of fronts and of the rest is that of the simulated foam, within 2 % in winds of 8 to 26 m/s.
+const FOAM_FRONT_SHARES = vec2f(0.27, 0.13);
+// Reciprocal of the width of a front, 1/m.
+const FOAM_INVERSE_FRONT_WIDTH = 0.07;
 // Mean of the plume relative to that of the foam.
 const FOAM_MEAN_PLUME_RATIO = 1.9;
 // Amount of foam, 0 to 1, below which none is drawn.
@@ -71,14 +71,21 @@ struct FoamAppearance {
   rough: f32,
 }
 
-// What is drawn of the foam of the simulation: foam (x), its current source (y), fronts (z) and plume (w). The share
-// `beyond` of a pixel lies beyond all levels, where the means are drawn.
-fn foam_amount(cell: vec4f, beyond: f32) -> FoamAmount {
-  let front = maths_smooth((cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x));
+// What is drawn of the foam of the simulation: foam (x), its current source (y), fronts (z) and plume (w), in cells of
+// which a front fills the fraction `filled` at most. The share `beyond` of a pixel lies beyond all levels, where the
+// means are drawn.
+fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
+  let front = filled * maths_smooth((cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x));
   let mean = beyond * frame.mean_foam;
-  let all = front + (1.0 - front) * (FOAM_REST_RATIO * cell.x) + mean;
-  let fresh = (front + FOAM_MEAN_FRONT_SHARE * mean) / max(all, 1e-4);
+  let rest = (1.0 - FOAM_FRONT_SHARES.x * filled) / (1.0 - FOAM_FRONT_SHARES.y * filled);
+  let all = front + (1.0 - front) * (rest * cell.x) + mean;
+  let fresh = (front + FOAM_FRONT_SHARES.x * mean) / max(all, 1e-4);
   return FoamAmount(min(all * frame.foam_amount, 1.0), fresh, cell.w + FOAM_MEAN_PLUME_RATIO * mean);
+}
+
+// Fraction of a cell that a front fills at most: the fronts are a few metres wide.
+fn foam_filled(inverse_cell: f32) -> f32 {
+  return inverse_cell / (inverse_cell + FOAM_INVERSE_FRONT_WIDTH);
 }
 
 // Foam in a pixel, from the finest levels that hold the pixel and are no finer than it; beyond all levels, its mean.
@@ -88,6 +95,7 @@ fn foam_level(at: vec2f, pixel: WaterFootprint) -> FoamAmount {
   // Two samples if the pixel is longer than a cell of the finest level.
   let has_halves = pixel.length_m * frame.foam_levels[0].inverse_cell > 1.0;
   var foam = vec4f(0.0);
+  var filled = 0.0;
   var left = 1.0;
   for (var level = 0u; level < frame.foam_level_count && left > 0.0; level++) {
     let map = frame.foam_levels[level];
@@ -107,9 +115,10 @@ fn foam_level(at: vec2f, pixel: WaterFootprint) -> FoamAmount {
     } else {
       foam += share * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0);
     }
+    filled += share * foam_filled(map.inverse_cell);
     left -= share;
   }
-  return foam_amount(foam, left);
+  return foam_amount(foam, filled, left);
 }
 
 // Cumulative normal distribution (Bowling and others 2009, accurate to 2e-4).

@@ -42,7 +42,7 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::foam([610.0, 230.0, 0.0, 3.5], [0.36, 0.6]),
     LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.55, 0.0]),
     LayerShape::foam([10.7, 10.7, -9.0, 1.6], [1.2, 0.0]),
-    LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.35, 0.0]),
+    LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.55, 0.0]),
     // The ripple marks of the sand have 38.6 periods per tile (shaders/water/bed.wgsl).
     LayerShape::sand(12.35, 63.0),
     LayerShape::sand(0.97, 11.0),
