@@ -34,9 +34,8 @@ const DEFAULT_GROWTH_RATE_TIMES_DECAY_TIME: f64 = 8.0;
 /// source rises from 0 (no foam forms) to 1.
 const FOAM_SOURCE_RAMP_STRAIN_SIGMAS: f64 = 0.5;
 
-/// Size of the texels on which the Jacobian of breakers is read, relative to the wavelength of the peak. Waves much
-/// shorter than the dominant ones break without whitecaps: speeds of breaking crests spread around half the speed of the
-/// peak, and slow ones entrain no air (Sutherland and Melville 2013).
+/// Size of the texels on which the Jacobian of breakers is read, relative to the wavelength of the peak. Short waves
+/// break without air, as microbreakers (Sutherland and Melville 2013).
 const BREAKER_TEXEL_PER_PEAK_WAVELENGTH: f64 = 0.012;
 /// Limits of these sizes, m.
 const BREAKER_TEXEL_RANGE_M: [f64; 2] = [0.25, 1.5];

@@ -37,12 +37,12 @@ impl LayerShape {
 
 /// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), two of sand (patches with ripple
 /// marks, grains). Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows
-/// gather old foam between the rolls of the Langmuir circulation, 10 to 50 m apart, in winds above 8 m/s.
+/// gather old foam between the rolls of the Langmuir circulation, 10 to 100 m apart, in winds above 8 m/s.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
-    LayerShape::foam([610.0, 230.0, 0.0, 3.5], [0.36, 0.6]),
-    LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.55, 0.0]),
-    LayerShape::foam([10.7, 10.7, -9.0, 1.6], [1.2, 0.0]),
-    LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.55, 0.0]),
+    LayerShape::foam([1310.0, 530.0, 0.0, 2.5], [0.36, 0.35]),
+    LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.85, 0.0]),
+    LayerShape::foam([10.7, 10.7, -9.0, 1.6], [1.05, 0.0]),
+    LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.5, 0.0]),
     // The ripple marks of the sand have 38.6 periods per tile (shaders/water/bed.wgsl).
     LayerShape::sand(12.35, 63.0),
     LayerShape::sand(0.97, 11.0),
