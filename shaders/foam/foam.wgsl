@@ -4,7 +4,8 @@
 //
 // The source s in [0, 1] is positive where the Jacobian of the displacement by all cascades falls below a threshold.
 // The foam F follows dF/dt = rate s (1 - F) - F / decay time, solved exactly over the time step. So the result does not
-// depend on the frame rate and stays in [0, 1].
+// depend on the frame rate and stays in [0, 1]. The breaker's front, thick foam that grows and decays fast, and the
+// plume of bubbles below, which lasts longest, follow the same equation. So the picture tells young foam from old.
 
 // The structs `Sea` and `Foam` are declared in src/sim/uniforms.rs.
 
@@ -13,7 +14,7 @@
 @group(0) @binding(2) var displacement: texture_2d_array<f32>;
 @group(0) @binding(3) var gradients: texture_2d_array<f32>;
 @group(0) @binding(4) var repeating_sampler: sampler;
-@group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x]
+@group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x][foam, front, plume]
 @group(0) @binding(6) var foam_out: texture_storage_2d_array<rgba16float, write>;
 
 // Jacobian of the displaced surface at an offset, m, from a level's corner, with the blend of water/surface.wgsl.
@@ -25,8 +26,9 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let patch_m = foam.cascades[c].patch_m;
     let layer = foam.cascades[c].layer;
     let uv = corner.uv + offset / patch_m;
-    // The mip level is one finer than a cell, because linear interpolation between uncorrelated texels loses variance.
-    let lod = max(log2(foam.levels[level].cell_m * f32(sea.n) / patch_m) - 1.0, 0.0);
+    // Fine cells read waves that break with whitecaps. The mip level is one finer than a cell, because linear interpolation between uncorrelated texels loses variance.
+    let texel_m = max(foam.levels[level].cell_m, foam.breaker_texel_m);
+    let lod = max(log2(texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
     var next = tile_blend(corner.tile_position, offset, true);
     for (var i = 0u; i < TILE_COPIES; i++) {
       let blend = next;
@@ -59,11 +61,17 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let j = foam_jacobian(level, (vec2f(ahead) + 0.5) * cell_m);
   let source = saturate((foam.levels[level].jacobian_threshold - j) * foam.levels[level].source_slope);
 
-  let at = (level * foam.cells_per_side + id.y) * foam.cells_per_side + id.x;
-  let old = select(foam.levels[level].initial_foam, history[at], known);
-  let loss = foam.growth_per_s * source + foam.decay_per_s;
-  let goal = foam.growth_per_s * source / loss;
-  let now = saturate(goal + (old - goal) * maths_exp(-loss * foam.dt_s));
-  history[at] = now;
-  textureStore(foam_out, id.xy, level, vec4f(now, source, 0.0, 0.0));
+  let at = 3u * ((level * foam.cells_per_side + id.y) * foam.cells_per_side + id.x);
+  let old = select(
+    vec3f(foam.levels[level].initial_foam), vec3f(history[at], history[at + 1u], history[at + 2u]), known);
+  let growth = source * vec3f(foam.growth_per_s, foam.front_growth_per_s, foam.growth_per_s);
+  let loss = growth + vec3f(foam.decay_per_s, foam.front_decay_per_s, foam.plume_decay_per_s);
+  let goal = growth / loss;
+  let left = vec3f(
+    maths_exp(-loss.x * foam.dt_s), maths_exp(-loss.y * foam.dt_s), maths_exp(-loss.z * foam.dt_s));
+  let now = saturate(goal + (old - goal) * left);
+  history[at] = now.x;
+  history[at + 1u] = now.y;
+  history[at + 2u] = now.z;
+  textureStore(foam_out, id.xy, level, vec4f(now.x, source, now.yz));
 }

@@ -33,7 +33,7 @@ fn view_line_coverage(at: vec3f, width: vec3f) -> f32 {
 // Fraction of a pixel's light that comes from foam, 0 to 1.
 fn view_foam_cover(at: vec2f, foot: WaterFootprint) -> f32 {
   let level = foam_level(at, foot);
-  return select(0.0, foam_appearance(at, foot, level).cover, level.x >= FOAM_MIN_AMOUNT);
+  return select(0.0, foam_appearance(at, foot, level).cover, level.cover >= FOAM_MIN_AMOUNT);
 }
 
 @fragment

@@ -2,7 +2,7 @@
 
 // Backscattering coefficient of a dense bubble plume under a breaker, 1/m, for a void fraction of 1e-3 (Deane and
 // Stokes 2002; backscattering ratio of Zhang, Lewis and Johnson 1998).
-const WATER_PLUME_BACKSCATTER = 0.16;
+const WATER_PLUME_BACKSCATTER = 0.3;
 // Depth of a bubble plume under a breaker, m.
 const WATER_PLUME_DEPTH_M = 0.8;
 // Mean cosine of scattering in a crest: less than the particles' 0.9, because light is scattered several times.
@@ -19,7 +19,7 @@ fn water_refract(dir: vec3f, n: vec3f) -> vec3f {
 
 // Backscattering coefficient of the bubbles, 1/m, where foam has lately covered the fraction `plume` of the surface.
 fn water_bubble_backscatter(plume: f32) -> f32 {
-  return WATER_PLUME_BACKSCATTER * material.bubble_density * plume * plume;
+  return WATER_PLUME_BACKSCATTER * material.bubble_density * plume * sqrt(plume);
 }
 
 // Irradiance reflectance just below the surface, of deep water under a layer of bubbles.

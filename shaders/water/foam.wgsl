@@ -1,20 +1,43 @@
 // Foam of whitecaps: how much of it a pixel holds, and what it looks like.
 
-// Noise layers: windrows of tens of metres, patches of metres, strands of decimetres, bubbles of centimetres.
+// Noise layers: windrows of tens of metres, patches of metres, strands of decimetres, threads of centimetres.
 const FOAM_WINDROW_LAYER = 0u;
 const FOAM_PATCH_LAYER = 1u;
 const FOAM_STRAND_LAYER = 2u;
-const FOAM_BUBBLE_LAYER = 3u;
-// Height of the lumps in the foam's relief, m.
-const FOAM_LUMP_HEIGHT_M = 0.035;
-// Height of the bubbles in the foam's relief, m.
-const FOAM_BUBBLE_HEIGHT_M = 0.006;
-// Standard deviation of the slope of the bubbles' relief.
-const FOAM_BUBBLE_SLOPE_SIGMA = 0.2;
-// Reflectance of thick fresh foam (Whitlock, Bartlett and Gurganus 1982; Koepke 1984).
-const FOAM_ALBEDO = 0.72;
-// Reflectance of foam aged to a film, relative to fresh foam: whitecaps average 0.22 over their life (Koepke 1984).
-const FOAM_AGED_ALBEDO_RATIO = 0.42;
+const FOAM_THREAD_LAYER = 3u;
+// Weights of the layers in the pattern of a breaker's front. Those of old foam grow with the wind (material.rs).
+const FOAM_FRONT_WEIGHTS = vec4f(0.1, 0.75, 0.8, 0.8);
+// Reciprocal of the standard deviations of the values of cloud (evenly spread) and of lace and lumps (normal).
+const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
+// Softness of the edges of film and of body, in deviations of the pattern, of old foam (x) and of a front (y).
+const FOAM_FILM_SOFTNESS = vec2f(0.2, 0.2);
+const FOAM_BODY_SOFTNESS = vec2f(0.1, 0.14);
+// Opacity of the film, and what the body adds where it lies on it. A film of bubbles is bluish, because water shows
+// through.
+const FOAM_FILM_OPACITY = vec2f(0.16, 0.4);
+const FOAM_BODY_OPACITY = vec2f(0.5, 0.56);
+// Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
+const FOAM_OLD_SHIFT = vec2f(0.35, -0.25);
+const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
+// Standard deviation of the height of a front's lumps of decimetres (x) and of centimetres (y), m.
+const FOAM_LUMP_HEIGHT_M = vec2f(0.06, 0.011);
+// Height of the body of a front above the water, m.
+const FOAM_BODY_HEIGHT_M = 0.07;
+// Least distances, m, over which the slopes of both are measured.
+const FOAM_RELIEF_STEP_M = vec2f(0.07, 0.01);
+// Height of old foam's relief relative to that of a front.
+const FOAM_OLD_RELIEF = 0.25;
+// Standard deviation of the slope of the relief.
+const FOAM_RELIEF_SLOPE_SIGMA = 0.3;
+// Simulated front above which a cell shows one, and from which it is full.
+const FOAM_FRONT_RANGE = vec2f(0.3, 0.9);
+// Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
+// the mean of fronts and of the rest is that of the simulated foam, within 2 % in winds of 8 to 26 m/s.
+const FOAM_FRONT_SHARES = vec2f(0.27, 0.13);
+// Reciprocal of the width of a front, 1/m.
+const FOAM_INVERSE_FRONT_WIDTH = 0.07;
+// Mean of the plume relative to that of the foam.
+const FOAM_MEAN_PLUME_RATIO = 1.9;
 // Amount of foam, 0 to 1, below which none is drawn.
 const FOAM_MIN_AMOUNT = 0.002;
 // Sum of the resolved fractions of the variance of patches and strands, below which one sample of them is enough.
@@ -25,6 +48,16 @@ const FOAM_MIN_LAYER_VARIANCE = 0.02;
 const FOAM_MIN_RELIEF_COVER = 0.02;
 // Length over which the finest noise changes, m. Longer pixels have two samples.
 const FOAM_FINEST_DETAIL_M = 0.02;
+
+// Foam in a pixel.
+struct FoamAmount {
+  // Fraction of the surface that foam covers.
+  cover: f32,
+  // Fraction of this foam that belongs to fronts, where waves break now.
+  fresh: f32,
+  // Fraction of the water below that bubbles fill.
+  plume: f32,
+}
 
 // Appearance of the foam in a pixel.
 struct FoamAppearance {
@@ -38,14 +71,31 @@ struct FoamAppearance {
   rough: f32,
 }
 
-// Foam (x) and its current source (y) in a pixel, 0 to 1, from the finest levels that hold the pixel and are no finer
-// than it; beyond all levels, their means.
-fn foam_level(at: vec2f, pixel: WaterFootprint) -> vec2f {
+// What is drawn of the foam of the simulation: foam (x), its current source (y), fronts (z) and plume (w), in cells of
+// which a front fills the fraction `filled` at most. The share `beyond` of a pixel lies beyond all levels, where the
+// means are drawn.
+fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
+  let front = filled * maths_smooth((cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x));
+  let mean = beyond * frame.mean_foam;
+  let rest = (1.0 - FOAM_FRONT_SHARES.x * filled) / (1.0 - FOAM_FRONT_SHARES.y * filled);
+  let all = front + (1.0 - front) * (rest * cell.x) + mean;
+  let fresh = (front + FOAM_FRONT_SHARES.x * mean) / max(all, 1e-4);
+  return FoamAmount(min(all * frame.foam_amount, 1.0), fresh, cell.w + FOAM_MEAN_PLUME_RATIO * mean);
+}
+
+// Fraction of a cell that a front fills at most: the fronts are a few metres wide.
+fn foam_filled(inverse_cell: f32) -> f32 {
+  return inverse_cell / (inverse_cell + FOAM_INVERSE_FRONT_WIDTH);
+}
+
+// Foam in a pixel, from the finest levels that hold the pixel and are no finer than it; beyond all levels, its mean.
+fn foam_level(at: vec2f, pixel: WaterFootprint) -> FoamAmount {
   let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
   let half_axis = 0.5 * abs(pixel.axis);
   // Two samples if the pixel is longer than a cell of the finest level.
   let has_halves = pixel.length_m * frame.foam_levels[0].inverse_cell > 1.0;
-  var foam = vec2f(0.0);
+  var foam = vec4f(0.0);
+  var filled = 0.0;
   var left = 1.0;
   for (var level = 0u; level < frame.foam_level_count && left > 0.0; level++) {
     let map = frame.foam_levels[level];
@@ -59,25 +109,16 @@ fn foam_level(at: vec2f, pixel: WaterFootprint) -> vec2f {
     let uv = map.uv_below_eye + at * map.inverse_side;
     if has_halves {
       let half = (0.25 * map.inverse_side) * pixel.axis;
-      let first = textureSampleLevel(foam_map, nearest_mip_sampler, uv - half, level, 0.0).xy;
-      let last = textureSampleLevel(foam_map, nearest_mip_sampler, uv + half, level, 0.0).xy;
+      let first = textureSampleLevel(foam_map, nearest_mip_sampler, uv - half, level, 0.0);
+      let last = textureSampleLevel(foam_map, nearest_mip_sampler, uv + half, level, 0.0);
       foam += (0.5 * share) * (first + last);
     } else {
-      foam += share * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
+      foam += share * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0);
     }
+    filled += share * foam_filled(map.inverse_cell);
     left -= share;
   }
-  foam += (left * frame.mean_foam) * vec2f(1.0, 0.1);
-  return min(foam * frame.foam_amount, vec2f(1.0));
-}
-
-// Gradient of one channel of a noise layer, 1/m, over a step that the pixel resolves. `here` is the value at `at`.
-fn foam_noise_gradient(layer: u32, channel: u32, at: vec2f, size: f32, lod: f32, here: f32) -> vec2f {
-  let fine = max(lod, 0.0);
-  let step = max(size, 0.5 * exp2(fine - material.noise_layers[layer].log_texels_per_m));
-  let x = material_noise(layer, at + vec2f(step, 0.0), fine)[channel];
-  let z = material_noise(layer, at + vec2f(0.0, step), fine)[channel];
-  return vec2f(x - here, z - here) / step;
+  return foam_amount(foam, filled, left);
 }
 
 // Cumulative normal distribution (Bowling and others 2009, accurate to 2e-4).
@@ -91,11 +132,15 @@ fn foam_normal_quantile(share: f32) -> f32 {
   return sign(share - 0.5) * (t - (2.30753 + 0.27061 * t) / (1.0 + t * (0.99229 + 0.04481 * t)));
 }
 
-// Appearance of foam in a pixel. `level` holds the amount of foam (x) and of its current source (y), 0 to 1.
-fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppearance {
+// Appearance of foam in a pixel.
+//
+// Foam covers what lies above a threshold in a pattern, a sum of noise layers that is distributed normally. The part of
+// the pattern that the pixel does not resolve softens the threshold, so that the mean is kept at every distance. A wide
+// soft threshold makes the film, which is thickest along its threads, and a sharper, higher one the body.
+fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> FoamAppearance {
   let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
   var has_halves = pixel.length_m > FOAM_FINEST_DETAIL_M;
-  // Each sample covers its part of the pixel. Windrows are longer than most pixels and bubbles shorter: one is enough.
+  // Each sample covers its part of the pixel. Windrows are longer than most pixels and threads shorter: one is enough.
   let part_m = pixel.length_m * select(1.0, 0.5, has_halves);
   let size = WATER_TAP_TEXEL_RATIO * sqrt(part_m * max(pixel.width_m, part_m));
   let logs = log2(max(vec3f(WATER_TAP_TEXEL_RATIO * pixel.length_m, size, whole_m), vec3f(1e-6)));
@@ -103,108 +148,85 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, level: vec2f) -> FoamAppear
     material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_STRAND_LAYER].log_texels_per_m,
-    material.noise_layers[FOAM_BUBBLE_LAYER].log_texels_per_m);
+    material.noise_layers[FOAM_THREAD_LAYER].log_texels_per_m);
   let lods = logs.xyyz + densities;
   let kept = material_variance_left(lods);
   // Where the pixel resolves neither patches nor strands, all samples are alike.
   let is_resolved = kept.y + kept.z >= FOAM_MIN_RESOLVED;
   has_halves = has_halves && is_resolved;
-  var windrows = 0.5;
+  var noise = vec4f(0.5);
   if kept.x > FOAM_MIN_LAYER_VARIANCE {
-    windrows = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b;
+    noise.x = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b;
   }
-  var bubbles = 0.5;
+  var threads = vec4f(0.5);
   if kept.w > FOAM_MIN_LAYER_VARIANCE {
-    bubbles = material_noise(FOAM_BUBBLE_LAYER, at, lods.w).g;
+    threads = material_noise(FOAM_THREAD_LAYER, at, lods.w);
   }
-  // Fresh foam is a closed mass of bubbles, old foam a net of thin strands.
-  let fresh = maths_smooth(level.y * (1.0 / 0.45));
-  // A sum of uniform variables is nearly normal. Its part that the pixel does not resolve softens the edge, so that the
-  // mean over the noise is the amount of foam at every distance.
-  let weight = mix(vec4f(0.7, 0.9, 1.1, 0.45), vec4f(0.4, 0.9, 0.8, 0.4), fresh);
-  let total = dot(weight, weight);
-  let resolved = dot(weight * weight, kept) / total;
-  let weight_of_deviation = weight * (3.4642 * inverseSqrt(total));
-  let soft = mix(0.2, 0.12, fresh);
-  let wanted = clamp(level.x, 1e-4, 1.0 - 1e-4);
-  let edge = sqrt(1.0 + soft * soft) * foam_normal_quantile(wanted);
-  let sharp = inverseSqrt(soft * soft + 1.0 - resolved);
-  // An old patch is a film that is thicker along its strands, less so if they are not resolved. Strands and grain are
-  // higher where foam covers: both are relative to their means there, which are fitted to 400,000 draws.
-  let bare = 1.0 - sqrt(wanted);
-  let shown = 0.775 * kept.z + 0.225 * kept.y;
-  let thickens = inverseSqrt(0.018 + 0.045 * (1.0 - shown));
-  let thick = mix(0.55, 0.58 + 1.4 * bare, shown);
-  let usual = mix(0.66 + 0.19 * bare * bare, 0.5 + 0.36 * bare, fresh);
+  let fresh = amount.fresh;
+  // Lumps take the place of lace in a front. Both are independent, so that the sum keeps its variance.
+  let turn = sqrt(vec2f(1.0 - fresh, fresh));
+  let old_weights = vec4f(
+    material.noise_layers[FOAM_WINDROW_LAYER].foam_weight,
+    material.noise_layers[FOAM_PATCH_LAYER].foam_weight,
+    material.noise_layers[FOAM_STRAND_LAYER].foam_weight,
+    material.noise_layers[FOAM_THREAD_LAYER].foam_weight);
+  let raw_weights = mix(old_weights, FOAM_FRONT_WEIGHTS, fresh);
+  let weights = raw_weights * inverseSqrt(dot(raw_weights, raw_weights));
+  let unresolved = 1.0 - dot(weights * weights, kept);
+  let factors = weights * FOAM_PER_DEVIATION;
+  noise.w = 0.5 + dot(turn, threads.ra - 0.5);
+  // Edges (x) and sharpness (y) of film and body.
+  let quantile = foam_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
+  let soft = vec2f(
+    mix(FOAM_FILM_SOFTNESS.x, FOAM_FILM_SOFTNESS.y, fresh), mix(FOAM_BODY_SOFTNESS.x, FOAM_BODY_SOFTNESS.y, fresh));
+  let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
+  let edge = sqrt(1.0 + soft * soft) * (quantile + shift);
+  let sharp = inverseSqrt(soft * soft + unresolved);
+  let film_opacity = mix(FOAM_FILM_OPACITY.x, FOAM_FILM_OPACITY.y, fresh);
+  let body_opacity = mix(FOAM_BODY_OPACITY.x, FOAM_BODY_OPACITY.y, fresh);
   var out: FoamAppearance;
-  var covered = 0.0;
+  var first_body = 0.0;
+  var lumps = 0.5;
   // Two samples lie in the two halves, and on both sides of the pixel's axis.
   let step = select(vec2f(0.0), 0.25 * pixel.axis + 0.31 * pixel.across, has_halves);
   var tap = at - step;
   for (var i = 0; i < select(1, 2, has_halves); i++) {
-    var patches = 0.5;
-    var strands = 0.5;
     if is_resolved {
-      patches = material_noise(FOAM_PATCH_LAYER, tap, lods.y).r;
-      strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z).r;
+      noise.y = material_noise(FOAM_PATCH_LAYER, tap, lods.y).r;
+      let strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z);
+      noise.z = 0.5 + dot(turn, strands.ra - 0.5);
+      lumps = strands.a;
     }
     tap += 2.0 * step;
-    let z = dot(vec4f(windrows, patches, strands, bubbles) - 0.5, weight_of_deviation);
-    let cut = foam_normal_cdf((z + edge) * sharp);
-    let strand = 2.0 * foam_normal_cdf((0.65 * strands + 0.35 * patches - 0.65) * thickens) / thick;
-    out.cover += saturate(cut * mix(FOAM_AGED_ALBEDO_RATIO * strand, 1.0, fresh));
-    out.grain += 0.6 * strands + 0.4 * bubbles - usual;
-    covered += cut;
+    let z = dot(noise - 0.5, factors);
+    let body = foam_normal_cdf((z + edge.y) * sharp.y);
+    out.cover += film_opacity * foam_normal_cdf((z + edge.x) * sharp.x) + body_opacity * body;
+    out.grain += lumps - 0.5;
+    first_body = body;
   }
-  let bubble_slope = FOAM_BUBBLE_SLOPE_SIGMA * material.foam_relief;
-  out.rough = bubble_slope * bubble_slope * (1.0 - kept.w);
   let share = select(1.0, 0.5, has_halves);
   out.cover *= share;
-  out.grain = 0.5 + kept.w * out.grain * share;
-  let lumps_lod = logs.z + densities.z;
-  let lumps_kept = material_strand_variance_left(lumps_lod);
-  if material.foam_relief > 0.0 && lumps_kept > 0.05 && out.cover > FOAM_MIN_RELIEF_COVER {
-    let strands = material_noise(FOAM_STRAND_LAYER, at, lumps_lod).r;
-    var both = foam_noise_gradient(FOAM_STRAND_LAYER, 0u, at, whole_m, lumps_lod, strands);
-    both *= lumps_kept * FOAM_LUMP_HEIGHT_M;
+  // Lumps are higher where foam covers; the grain is relative to their mean there.
+  let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * 0.4 / max(amount.cover, 1e-4);
+  out.grain = 0.5 + 0.6 * (out.grain * share - usual * (1.0 / 6.08)) + 0.4 * (threads.a - 0.5);
+  let strength = material.foam_relief * mix(FOAM_OLD_RELIEF, 1.0, fresh);
+  let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;
+  out.rough = slope_sigma * slope_sigma * (1.0 - kept.w);
+  if strength > 0.0 && kept.z > 0.05 && out.cover > FOAM_MIN_RELIEF_COVER {
+    // Slopes matter towards the sun only: light across them changes little.
+    let sun = frame.sun_direction.xz * inverseSqrt(max(dot(frame.sun_direction.xz, frame.sun_direction.xz), 1e-6));
+    let steps = max(FOAM_RELIEF_STEP_M, vec2f(whole_m));
+    let far = tap - 2.0 * step + steps.x * sun;
+    let ahead = material_noise(FOAM_STRAND_LAYER, far, lods.z);
+    noise.z = 0.5 + dot(turn, ahead.ra - 0.5);
+    let body = foam_normal_cdf((dot(noise - 0.5, factors) + edge.y) * sharp.y);
+    var rise = 6.08 * FOAM_LUMP_HEIGHT_M.x * (ahead.a - lumps) + FOAM_BODY_HEIGHT_M * (body - first_body);
+    rise /= steps.x;
     if kept.w > FOAM_MIN_LAYER_VARIANCE {
-      let fizz = foam_noise_gradient(FOAM_BUBBLE_LAYER, 1u, at, whole_m, lods.w, bubbles);
-      both += fizz * (kept.w * FOAM_BUBBLE_HEIGHT_M);
+      let fine = material_noise(FOAM_THREAD_LAYER, at + steps.y * sun, lods.w).a - threads.a;
+      rise += 6.08 * FOAM_LUMP_HEIGHT_M.y * fine / steps.y;
     }
-    let relief = both * (material.foam_relief * covered * share);
-    out.relief = relief * min(1.0, 1.2 / max(length(relief), 1e-6));
+    out.relief = (strength * clamp(rise, -1.5, 1.5)) * sun;
   }
   return out;
-}
-
-// Radiance of foam towards `v`: a white diffuse body lit by sun and sky, with the gloss of its wet bubbles.
-fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
-  let n = water_normal(slope.mean + foam.relief);
-  let l = frame.sun_direction;
-  // Light spreads inside foam, which softens its shading. Unresolved slopes brighten the mean, because facets that are
-  // turned away from the sun are not darker than black.
-  let cosine = dot(n, l);
-  let mean = 0.8 * cosine + 0.2 * l.y;
-  let across = slope.variance.x * l.x * l.x + slope.variance.y * l.z * l.z + 2.0 * slope.variance.z * l.x * l.z;
-  let deviation = 0.8 * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
-  let off = mean / deviation;
-  let wrapped = max(mean * foam_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
-  // Hollows see less of the sky.
-  let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
-  let albedo = material.foam_colour * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
-  let sunlight = cloud_sun_irradiance() * (wrapped * (0.8 + 0.4 * foam.grain));
-  let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
-  if l.y <= 0.0 || cosine <= 0.0 {
-    return body;
-  }
-  // Isotropic GGX, with Smith's masking and shadowing as approximated by Hammon (2017).
-  let alpha = max(material.foam_roughness * material.foam_roughness, 0.02);
-  let h = normalize(v + l);
-  let facing = dot(n, h);
-  let a2 = alpha * alpha;
-  let d = facing * facing * (a2 - 1.0) + 1.0;
-  let seen = max(dot(n, v), 1e-3);
-  let masked = 0.5 / mix(2.0 * cosine * seen, cosine + seen, alpha);
-  let gloss = material.glitter_strength * water_fresnel(dot(v, h)) * a2 / (ATM_PI * d * d) * masked * cosine;
-  return body + cloud_sun_irradiance() * min(gloss, 50.0);
 }

@@ -13,6 +13,8 @@ const LEAN_LEAST_OPTICAL_DEPTH = 0.006;
 const LEAN_MOST_SHADOW = 5.0;
 // Amount of foam, 0 to 1, below which the lean tier draws none.
 const LEAN_MIN_FOAM = 0.02;
+// Opacity of old foam, film and body together.
+const LEAN_OLD_FOAM_OPACITY = 0.47;
 
 // Tilts of the facets that the eye sees, in deviations of all tilts: mean (x) and deviation (y); and the projected area
 // of the visible facets, divided by that deviation and the horizontal part of the direction (z). `low` is the tilt,
@@ -105,24 +107,26 @@ fn lean_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
     (over * material.sky_reflection) * sky_light + lean_glitter(v, slope, seen), over * (steep + middle_f + flat));
 }
 
-// Foam (x) and its current source (y) in a pixel, 0 to 1, from the finest level that holds it and is no finer than it.
-fn lean_foam_level(at: vec2f, foot: LeanFootprint) -> vec2f {
+// Foam in a pixel, from the finest level that holds it and is no finer than it.
+fn lean_foam_level(at: vec2f, foot: LeanFootprint) -> FoamAmount {
   let texel_m = WATER_TAP_TEXEL_RATIO * foot.side_m;
-  var foam = frame.mean_foam * vec2f(1.0, 0.1);
+  var cell = vec4f(0.0);
+  var filled = 0.0;
   for (var level = 0u; level < frame.foam_level_count; level++) {
     let map = frame.foam_levels[level];
     let off = abs(at - map.centre);
     if max(off.x, off.y) * map.inverse_half_side < 1.0 && texel_m * map.inverse_cell < 3.0 {
       let uv = map.uv_below_eye + at * map.inverse_side;
-      foam = textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).xy;
+      cell = textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0);
+      filled = foam_filled(map.inverse_cell);
       break;
     }
   }
-  return min(foam * frame.foam_amount, vec2f(1.0));
+  return foam_amount(cell, filled, select(0.0, 1.0, filled == 0.0));
 }
 
-// Appearance of foam in a pixel (as foam_appearance), without relief and bubbles.
-fn lean_foam(at: vec2f, foot: LeanFootprint, level: vec2f) -> FoamAppearance {
+// Appearance of foam in a pixel (as foam_appearance), without relief and threads, and with one edge for film and body.
+fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearance {
   let lods = foot.log_texel_m + vec3f(
     material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
@@ -131,17 +135,19 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, level: vec2f) -> FoamAppearance {
   let noise = vec3f(
     material_noise(FOAM_WINDROW_LAYER, at, lods.x).b, material_noise(FOAM_PATCH_LAYER, at, lods.y).r,
     material_noise(FOAM_STRAND_LAYER, at, lods.z).r);
-  let fresh = maths_smooth(2.2 * level.y);
-  let weight = mix(vec3f(0.7, 0.9, 1.1), vec3f(0.4, 0.9, 0.8), fresh);
+  let old_weights = vec3f(
+    material.noise_layers[FOAM_WINDROW_LAYER].foam_weight,
+    material.noise_layers[FOAM_PATCH_LAYER].foam_weight,
+    material.noise_layers[FOAM_STRAND_LAYER].foam_weight);
+  let weight = mix(old_weights, FOAM_FRONT_WEIGHTS.xyz, amount.fresh);
   let over = inverseSqrt(dot(weight, weight));
   let resolved = dot(weight * weight, kept) * (over * over);
-  let soft = mix(0.2, 0.12, fresh);
-  let wanted = clamp(level.x, 1e-4, 1.0 - 1e-4);
-  let edge = (1.0 + 0.5 * soft * soft) * foam_normal_quantile(wanted);
-  let z = (3.4642 * over) * dot(noise - 0.5, weight);
+  let soft = mix(0.5, 0.25, amount.fresh);
+  let edge = sqrt(1.0 + soft * soft) * foam_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
+  let z = over * dot(noise - 0.5, weight * FOAM_PER_DEVIATION.xyz);
   let cut = foam_normal_cdf((z + edge) * inverseSqrt(soft * soft + 1.0 - resolved));
   var out: FoamAppearance;
-  out.cover = cut * mix(FOAM_AGED_ALBEDO_RATIO, 1.0, fresh);
+  out.cover = cut * mix(LEAN_OLD_FOAM_OPACITY, FOAM_FILM_OPACITY.y + FOAM_BODY_OPACITY.y, amount.fresh);
   out.grain = 0.5;
   return out;
 }
@@ -187,21 +193,21 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
   }
-  var foam = vec2f(0.0);
+  var foam: FoamAmount;
   if WATER_FOAM {
     foam = lean_foam_level(point.undisplaced, foot);
   }
   let mirror = lean_mirror(v, slope);
   let ray = water_refract(-v, n);
-  var below = water_deep_radiance(n, ray, foam.x);
+  var below = water_deep_radiance(n, ray, foam.plume);
   if WATER_BED {
     let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
     below = water_bed_radiance(below, point.position.xz, point.height, ray, exp2(foot.log_texel_m), blur);
   }
-  below += lean_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.x);
+  below += lean_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.plume);
   let spread = material.inverse_relative_index * material.inverse_relative_index;
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
-  if WATER_FOAM && foam.x >= LEAN_MIN_FOAM {
+  if WATER_FOAM && foam.cover >= LEAN_MIN_FOAM {
     let look = lean_foam(point.undisplaced, foot, foam);
     surface = mix(surface, foam_radiance(v, slope, look), look.cover);
   }

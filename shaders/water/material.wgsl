@@ -1,10 +1,10 @@
 // Optical properties of water, foam and bed. The struct `Material` is declared in src/render/water/material.rs.
 
-// For the four noise layers of foam (channels cloud, net, net, bubbles): mip level at which half the variance is left,
+// For the four noise layers of foam (channels cloud, lace, lace, lace): mip level at which half the variance is left,
 // and steepness of the decrease. Fitted to the mip levels of src/render/water/noise.rs as the sampler interpolates
 // them.
-const MATERIAL_HALF_VARIANCE_LOD = vec4f(5.392, 3.446, 3.446, 1.433);
-const MATERIAL_VARIANCE_STEEPNESS = vec4f(1.8, 1.5, 1.5, 1.65);
+const MATERIAL_HALF_VARIANCE_LOD = vec4f(5.45, 3.70, 3.70, 3.70);
+const MATERIAL_VARIANCE_STEEPNESS = vec4f(1.75, 1.48, 1.48, 1.48);
 
 fn material_uv(layer: u32, at: vec2f) -> vec2f {
   let place = material.noise_layers[layer];
@@ -19,11 +19,6 @@ fn material_lod(layer: u32, size: f32) -> f32 {
 // Noise of a layer at a position relative to the point below the eye, m, at a mip level.
 fn material_noise(layer: u32, at: vec2f, lod: f32) -> vec4f {
   return textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at), max(lod, 0.0));
-}
-
-// Fraction of the variance of the layer of strands that is left at a mip level, 0 to 1.
-fn material_strand_variance_left(lod: f32) -> f32 {
-  return 1.0 / (1.0 + exp2(MATERIAL_VARIANCE_STEEPNESS.z * (lod - MATERIAL_HALF_VARIANCE_LOD.z)));
 }
 
 // Fractions of the variance of the four layers of foam that are left at their mip levels, 0 to 1.

@@ -76,7 +76,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     around.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   }
 
-  var foam = vec2f(0.0);
+  var foam: FoamAmount;
   if WATER_FOAM {
     foam = foam_level(point.undisplaced, foot);
   }
@@ -84,18 +84,18 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   let mirror = water_mirror_among(v, slope, around, glints);
   // Viewing ray after refraction at the mean facet.
   let ray = water_refract(-v, n);
-  var below = water_deep_radiance(n, ray, foam.x);
+  var below = water_deep_radiance(n, ray, foam.plume);
   if WATER_BED {
     let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
     below = water_bed_radiance(below, point.position.xz, point.height, ray, exp2(foot.log_texel_m), blur);
   }
   if material.crest_transmission > 0.0 {
-    below += water_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.x);
+    below += water_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.plume);
   }
   // Radiance falls by the square of the relative refractive index, because rays spread when they leave the water.
   let spread = material.inverse_relative_index * material.inverse_relative_index;
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
-  if WATER_FOAM && foam.x >= FOAM_MIN_AMOUNT {
+  if WATER_FOAM && foam.cover >= FOAM_MIN_AMOUNT {
     let look = foam_appearance(point.undisplaced, foot, foam);
     if look.cover > FOAM_MIN_AMOUNT {
       surface = mix(surface, foam_radiance(v, slope, look), look.cover);

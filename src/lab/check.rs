@@ -13,7 +13,7 @@ use crate::sim::resources::{MapKind, Resources};
 use crate::sim::transform::FftImplementation;
 use crate::state::Params;
 use crate::waves::Plan;
-use crate::waves::foam::FoamModel;
+use crate::waves::foam::{FRONT_DECAY_RATIO, FRONT_GROWTH_RATIO, FoamModel, PLUME_DECAY_RATIO, breaker_texel_m};
 use crate::waves::plan::Cascade;
 use crate::waves::tiling::Tiling;
 use std::fmt;
@@ -251,7 +251,7 @@ impl OracleCheck<'_> {
 async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
-    let mut want: Vec<f64> = vec![FoamModel::new(plan).expected_mean_foam; size * size];
+    let mut want = vec![[FoamModel::new(plan).expected_mean_foam; 3]; size * size];
     let mut got = Vec::new();
     for _ in 0..COMPARED_FOAM_STEPS {
         let mut encoder = gpu.encoder("check");
@@ -259,7 +259,7 @@ async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> 
         gpu.submit(encoder);
         let level = sim.maps().foam_levels[COMPARED_FOAM_LEVEL];
         let corner = level.centre_m.map(|c| c - 0.5 * size as f64 * level.cell_m);
-        let pyramid = SampledMaps::read(gpu, &sim, level.cell_m).await?;
+        let pyramid = SampledMaps::read(gpu, &sim, level.cell_m.max(breaker_texel_m(plan))).await?;
         step_oracle_foam(&mut want, plan, &pyramid, (corner, level.cell_m), step);
         let texels = read_foam(gpu, &sim.resources).await?;
         // A cell is stored at its index modulo the size of the level.
@@ -267,23 +267,18 @@ async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> 
         let stored = |i: usize| {
             let place = [(i % size) as i64, (i / size) as i64];
             let at: [usize; 2] = std::array::from_fn(|a| (first[a] + place[a]).rem_euclid(size as i64) as usize);
-            texels[COMPARED_FOAM_LEVEL * size * size + at[1] * size + at[0]][0]
+            let [foam, _, front, plume] = texels[COMPARED_FOAM_LEVEL * size * size + at[1] * size + at[0]];
+            [foam, front, plume]
         };
         got = (0..size * size).map(stored).collect();
     }
-    let pack = |v: &[f64]| v.iter().map(|&f| [f]).collect::<Vec<_>>();
-    Ok(comparison(
-        "foam",
-        COMPARED_FOAM_LEVEL,
-        relative_rms_error(pack(&got).into_iter(), pack(&want).into_iter()),
-        FOAM_TOLERANCE,
-    ))
+    Ok(comparison("foam", COMPARED_FOAM_LEVEL, relative_rms_error(got.into_iter(), want.into_iter()), FOAM_TOLERANCE))
 }
 
-/// Advances the foam coverage of all cells of a foam level by one time step, as the oracle computes it. `corner` (x, z)
+/// Advances foam, front and plume of all cells of a foam level by one time step, as the oracle computes them. `corner` (x, z)
 /// of the level and side `texel_m` of a cell are in metres.
 fn step_oracle_foam(
-    foam: &mut [f64],
+    foam: &mut [[f64; 3]],
     plan: &Plan,
     pyramid: &SampledMaps,
     (corner, texel_m): ([f64; 2], f64),
@@ -296,7 +291,11 @@ fn step_oracle_foam(
         let world: [f64; 2] = std::array::from_fn(|a| corner[a] + (at[a] as f64 + 0.5) * texel_m);
         let j = oracle::foam::displacement_jacobian(pyramid.wave_fields_at(world).strain, plan.sea.choppiness_xz());
         let s = ((source.jacobian_threshold - j) * source.source_slope).clamp(0.0, 1.0);
-        *cell = oracle::foam::foam_after_step(*cell, s, plan.sea.foam.rate_per_s, plan.sea.foam.decay_s, step.dt_s);
+        let ratios = [(1.0, 1.0), (FRONT_GROWTH_RATIO, FRONT_DECAY_RATIO), (1.0, PLUME_DECAY_RATIO)];
+        for (quantity, (growth, decay)) in cell.iter_mut().zip(ratios) {
+            let (rate_per_s, decay_s) = (growth * plan.sea.foam.rate_per_s, decay * plan.sea.foam.decay_s);
+            *quantity = oracle::foam::foam_after_step(*quantity, s, rate_per_s, decay_s, step.dt_s);
+        }
     }
 }
 

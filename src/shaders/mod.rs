@@ -91,6 +91,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/body.wgsl"),
     part!("water/bed.wgsl"),
     part!("water/foam.wgsl"),
+    part!("water/foam_light.wgsl"),
     part!("water/water.wgsl"),
 ]);
 

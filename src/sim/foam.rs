@@ -3,7 +3,7 @@
 use super::maps::{FoamLevel, MAX_DRAWN_CASCADES, Maps};
 use super::transition::{Interpolate, interpolate, interpolate_pair};
 use super::uniforms::{FoamCascade, FoamLevelCorner, FoamLevelUniform, FoamUniform};
-use crate::waves::foam::FOAM_LEVEL_COUNT;
+use crate::waves::foam::{FOAM_LEVEL_COUNT, FRONT_DECAY_RATIO, FRONT_GROWTH_RATIO, PLUME_DECAY_RATIO};
 use crate::waves::{Plan, foam};
 
 /// Number of time steps of a cold start, which computes the foam anew from the recent past, as after a jump of time.
@@ -58,6 +58,8 @@ pub struct FoamParameters {
     sources: [foam::FoamSource; FOAM_LEVEL_COUNT],
     /// Expected mean of the foam over the sea surface, from 0 (no foam) to 1 (all covered).
     pub mean_foam: f64,
+    /// Side of the smallest texels, m, on which the pass reads the Jacobian.
+    breaker_texel_m: f64,
     decay_s: f64,
     rate_per_s: f64,
 }
@@ -70,6 +72,7 @@ impl FoamParameters {
             choppiness: plan.sea.choppiness_xz(),
             sources: std::array::from_fn(|level| foam.foam_source_for_texel(plan, cell_m(size, level))),
             mean_foam: foam.expected_mean_foam,
+            breaker_texel_m: foam::breaker_texel_m(plan),
             decay_s: plan.sea.foam.decay_s,
             rate_per_s: plan.sea.foam.rate_per_s,
         }
@@ -95,6 +98,7 @@ impl Interpolate for FoamParameters {
             choppiness: interpolate_pair(self.choppiness, to.choppiness, fraction),
             sources: std::array::from_fn(source),
             mean_foam: interpolate(self.mean_foam, to.mean_foam, fraction),
+            breaker_texel_m: interpolate(self.breaker_texel_m, to.breaker_texel_m, fraction),
             decay_s: interpolate(self.decay_s, to.decay_s, fraction),
             rate_per_s: interpolate(self.rate_per_s, to.rate_per_s, fraction),
         }
@@ -236,6 +240,10 @@ impl FoamScheduler {
             growth_per_s: self.parameters.rate_per_s as f32,
             cells_per_side: self.size,
             cascade_count: maps.cascades.len() as u32,
+            front_growth_per_s: (FRONT_GROWTH_RATIO * self.parameters.rate_per_s) as f32,
+            front_decay_per_s: (1.0 / (FRONT_DECAY_RATIO * self.parameters.decay_s)) as f32,
+            plume_decay_per_s: (1.0 / (PLUME_DECAY_RATIO * self.parameters.decay_s)) as f32,
+            breaker_texel_m: self.parameters.breaker_texel_m as f32,
             unused: [0; 3],
         }
     }

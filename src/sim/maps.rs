@@ -51,7 +51,7 @@ pub struct Maps {
     /// belongs to mip level j + 1 of the other maps.
     pub slope_moments: wgpu::TextureView,
     /// Foam maps: 2d array texture, one layer per foam level, finest first, with coordinates that wrap around. Texels
-    /// are foam (0 to 1) and foam source (0 no growth, 1 fastest growth), at points before horizontal displacement.
+    /// are foam (0 to 1), foam source (0 no growth, 1 fastest growth), front of a breaker and plume of bubbles, at points before horizontal displacement.
     pub foam: wgpu::TextureView,
     /// Fourier amplitudes h0 of the current sea at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,

@@ -46,7 +46,7 @@ pub struct Resources {
     /// pairs of complex f32 per point, \[cascade\]\[pair\]\[iz\]\[x\]. Both seas of a cross-fade use the buffer in
     /// turn: room for both would exceed the largest binding at n = 1024.
     pub row_transforms: wgpu::Buffer,
-    /// Foam of each cell after the last time step, 0 to 1: f32, \[level\]\[z\]\[x\].
+    /// Foam, front and plume of each cell after the last time step, 0 to 1: f32, \[level\]\[z\]\[x\]\[quantity\].
     pub foam_history: wgpu::Buffer,
     /// Texture format of the textures `maps` and `foam`: half floats or 32-bit floats.
     pub format: MapFormat,
@@ -54,7 +54,8 @@ pub struct Resources {
     /// kinds share it because a pass may write to only four storage textures by WebGPU's base limits, and so to four
     /// mip levels.
     pub maps: wgpu::Texture,
-    /// Array texture with one layer per foam level, for the renderer: foam and foam source at each cell, each 0 to 1.
+    /// Array texture with one layer per foam level, for the renderer: at each cell foam, foam source, front of a
+    /// breaker and plume of bubbles, each 0 to 1.
     pub foam: wgpu::Texture,
     /// Sampler with linear filtering that repeats along both axes, with which the foam pass reads the wave maps.
     pub repeating_sampler: wgpu::Sampler,
@@ -110,7 +111,7 @@ impl Resources {
             current_wave_buffers_index: 0,
             twiddle_factors: twiddle,
             row_transforms: gpu.storage_buffer("row transforms", row_transform_bytes(n, cascades)),
-            foam_history: gpu.storage_buffer("foam history", 4 * FOAM_LEVEL_COUNT as u64 * point_count(foam_n)),
+            foam_history: gpu.storage_buffer("foam history", 12 * FOAM_LEVEL_COUNT as u64 * point_count(foam_n)),
             format,
             maps: create_map_texture(gpu, n, cascades, format),
             foam: create_array_texture(gpu, "foam", [foam_n, foam_n, FOAM_LEVEL_COUNT as u32], 1, format),

@@ -179,6 +179,14 @@ gpu_struct! {
         pub cells_per_side: u32,
         /// Number of entries at the start of `cascades` that are in use.
         pub cascade_count: u32,
+        /// Rate of growth of a breaker's front (0 to 1) where the foam source is 1, 1/s.
+        pub front_growth_per_s: f32,
+        /// Rate at which a breaker's front decays exponentially, 1/s.
+        pub front_decay_per_s: f32,
+        /// Rate at which the plume of bubbles below foam decays exponentially, 1/s. It grows as fast as the foam.
+        pub plume_decay_per_s: f32,
+        /// Side of the smallest texels on which the Jacobian is read, m.
+        pub breaker_texel_m: f32,
         /// Unused; pads the struct to a multiple of 16 bytes.
         pub unused: [u32; 3],
     }

@@ -7,10 +7,19 @@
 use super::plan::Plan;
 use super::statistics::monahan_coverage;
 use crate::state::params::WhitecapRule;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// Number of foam levels, square foam grids around the camera. Each is four times as wide as the next finer one.
 pub const FOAM_LEVEL_COUNT: usize = 4;
+
+/// Growth rate of a breaker's front, the thick foam where it breaks now, relative to that of all foam.
+pub const FRONT_GROWTH_RATIO: f64 = 4.0;
+/// Decay time of a breaker's front relative to that of all foam. Active whitecaps (stage A) last about a second, the
+/// foam that they leave (stage B) several (Monahan and Lu 1990; Callaghan and others 2012).
+pub const FRONT_DECAY_RATIO: f64 = 0.25;
+/// Decay time of the plume of bubbles below foam, relative to that of the foam: bubbles rise for longer than the film
+/// on the surface lasts (Callaghan and others 2012).
+pub const PLUME_DECAY_RATIO: f64 = 2.5;
 
 /// Factor of the fit F / (1 - F) = factor x (growth rate x decay time)^exponent x s, where F is the mean foam and s the
 /// mean foam source, both 0 to 1. The fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and growth
@@ -24,6 +33,12 @@ const DEFAULT_GROWTH_RATE_TIMES_DECAY_TIME: f64 = 8.0;
 /// Decrease of the strain of the horizontal displacement, in standard deviations of this strain, over which the foam
 /// source rises from 0 (no foam forms) to 1.
 const FOAM_SOURCE_RAMP_STRAIN_SIGMAS: f64 = 0.5;
+
+/// Size of the texels on which the Jacobian of breakers is read, relative to the wavelength of the peak. Short waves
+/// break without air, as microbreakers (Sutherland and Melville 2013).
+const BREAKER_TEXEL_PER_PEAK_WAVELENGTH: f64 = 0.012;
+/// Limits of these sizes, m.
+const BREAKER_TEXEL_RANGE_M: [f64; 2] = [0.25, 1.5];
 
 /// Upper limit of the whitecap coverage from which the foam threshold is derived, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;
@@ -84,10 +99,10 @@ impl FoamModel {
         Self { threshold_sigmas, expected_mean_foam: ratio / (1.0 + ratio) }
     }
 
-    /// Foam source on a foam grid with texels of `texel_m` (m). A coarser grid resolves less variance of the Jacobian,
-    /// so its threshold is nearer to 1.
+    /// Foam source on a foam grid with texels of `texel_m` (m), at least those of [`breaker_texel_m`]. A coarser grid
+    /// resolves less variance of the Jacobian, so its threshold is nearer to 1.
     pub fn foam_source_for_texel(&self, plan: &Plan, texel_m: f64) -> FoamSource {
-        let sigma = strain_deviation(plan, texel_m);
+        let sigma = strain_deviation(plan, texel_m.max(breaker_texel_m(plan)));
         if sigma < MIN_STRAIN_DEVIATION || self.threshold_sigmas.is_infinite() {
             return FoamSource { jacobian_threshold: -1e3, source_slope: 0.0 };
         }
@@ -98,6 +113,14 @@ impl FoamModel {
             .max(0.05 * sigma);
         FoamSource { jacobian_threshold: threshold, source_slope: slope }
     }
+}
+
+/// Side of the smallest texels, m, on which the Jacobian of breakers is read. Finer foam grids hold foam more finely, but
+/// their waves break no finer.
+pub fn breaker_texel_m(plan: &Plan) -> f64 {
+    let [least, most] = BREAKER_TEXEL_RANGE_M;
+    let peak_wavelength_m = TAU / plan.dispersion.wave_number(plan.omega_p).max(1e-6);
+    (BREAKER_TEXEL_PER_PEAK_WAVELENGTH * peak_wavelength_m).clamp(least, most)
 }
 
 /// Mean Jacobian J of the horizontal displacement at points with the strain s = -`threshold_sigmas` x `sigma`, where s

@@ -11,25 +11,52 @@ use glam::{DMat2, DVec2};
 /// Number of noise layers, each the noise texture at its own size and angle: four for foam, two for the bed, and two for
 /// the roughness of the water.
 const NOISE_LAYERS: usize = 8;
-/// Shape of a noise layer: sides of its tile along and across its axis, m; angle from the wind to the axis, degrees;
-/// relative lengthening of the tile along the axis in a storm.
-type LayerShape = (f64, f64, f64, f64);
-/// Shapes of the noise layers: four of foam (windrows, patches, strands, bubbles), two of sand (patches with ripple
-/// marks, grains), gusts and slicks. Sides and angles have no common period, so that the sum of the layers does not repeat.
+/// Shape of a noise layer.
+#[derive(Clone, Copy)]
+struct LayerShape {
+    /// Sides of its tile along and across its axis, m.
+    along_m: f64,
+    across_m: f64,
+    /// Angle from the wind to the axis, degrees.
+    turn_deg: f64,
+    /// Relative lengthening of the tile along the axis in a storm.
+    longer: f64,
+    /// Weight of the layer in the pattern of old foam, and what a storm adds.
+    weight: f64,
+    gale_weight: f64,
+    /// Speed along the wind, relative to the wind's speed at 10 m.
+    speed: f64,
+}
+
+impl LayerShape {
+    const fn foam([along_m, across_m, turn_deg, longer]: [f64; 4], [weight, gale_weight]: [f64; 2]) -> Self {
+        Self { along_m, across_m, turn_deg, longer, weight, gale_weight, speed: 0.0 }
+    }
+
+    const fn sand(side_m: f64, turn_deg: f64) -> Self {
+        Self::foam([side_m, side_m, turn_deg, 0.0], [0.0; 2])
+    }
+
+    const fn roughness(shape: [f64; 4], speed: f64) -> Self {
+        Self { speed, ..Self::foam(shape, [0.0; 2]) }
+    }
+}
+
+/// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), two of sand (patches with ripple
+/// marks, grains), gusts and slicks. Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows
+/// gather old foam between the rolls of the Langmuir circulation, 10 to 100 m apart, in winds above 8 m/s. Foam
+/// moves with the water that it lies on, gusts are carried by the air, and slicks by the surface current.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
-    (430.0, 430.0, 0.0, 5.0),
-    (71.0, 71.0, 7.0, 2.6),
-    (10.7, 10.7, -9.0, 1.9),
-    (1.63, 1.63, 41.0, 0.0),
+    LayerShape::foam([1310.0, 530.0, 0.0, 2.5], [0.36, 0.35]),
+    LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.85, 0.0]),
+    LayerShape::foam([10.7, 10.7, -9.0, 1.6], [1.05, 0.0]),
+    LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.5, 0.0]),
     // The ripple marks of the sand have 38.6 periods per tile (shaders/water/bed.wgsl).
-    (12.35, 12.35, 63.0, 0.0),
-    (0.97, 0.97, 11.0, 0.0),
-    (910.0, 620.0, 4.0, 0.5),
-    (260.0, 149.0, -7.0, 2.0),
+    LayerShape::sand(12.35, 63.0),
+    LayerShape::sand(0.97, 11.0),
+    LayerShape::roughness([910.0, 620.0, 4.0, 0.5], 0.7),
+    LayerShape::roughness([260.0, 149.0, -7.0, 2.0], 0.03),
 ];
-/// Speed of each noise layer along the wind, relative to the wind's speed at 10 m: gusts are carried by the air, slicks
-/// by the water's surface current. Foam moves with the water that it lies on.
-const LAYER_SPEEDS: [f64; NOISE_LAYERS] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.7, 0.03];
 /// Time for which a glint of the sun lasts, s.
 const GLINT_MOMENT_S: f64 = 0.06;
 /// Fraction of light that must remain after the way straight down to the bed and back, or else the bed is not drawn.
@@ -45,14 +72,20 @@ gpu_struct! {
         uv_below_eye: [f32; 2],
         /// Binary logarithm of the number of texels of the noise texture per metre, the geometric mean of both axes.
         log_texels_per_m: f32,
-        unused: u32,
+        /// Weight of the layer in the pattern of old foam.
+        foam_weight: f32,
     }
 }
 
 impl NoiseLayer {
     /// The transformation for a noise layer and an eye above the position `below_eye` (x, z) on it, m. `gale` goes from
     /// 0 to 1 with the wind and lengthens the layer's tile along its axis.
-    fn new((along_m, across_m, turn_deg, longer): LayerShape, downwind: [f64; 2], gale: f64, below_eye: DVec2) -> Self {
+    fn new(
+        LayerShape { along_m, across_m, turn_deg, longer, weight, gale_weight, .. }: LayerShape,
+        downwind: [f64; 2],
+        gale: f64,
+        below_eye: DVec2,
+    ) -> Self {
         let axis = DVec2::from(downwind).rotate(DVec2::from_angle(turn_deg.to_radians()));
         let along = axis / (along_m * (1.0 + longer * gale));
         let across = axis.perp() / across_m;
@@ -62,7 +95,7 @@ impl NoiseLayer {
             uv_from_position: DMat2::from_cols(along, across).transpose().as_mat2(),
             uv_below_eye: [at(along), at(across)],
             log_texels_per_m: texels_per_m.log2() as f32,
-            unused: 0,
+            foam_weight: (weight + gale * gale_weight) as f32,
         }
     }
 }
@@ -171,7 +204,7 @@ impl MaterialUniform {
             bed_colour: colour(bed.colour),
             sunlight_scatter_factor: scattering.diffuse_strength as f32,
             noise_layers: std::array::from_fn(|i| {
-                let on_layer = below_eye - LAYER_SPEEDS[i] * wind_path_m;
+                let on_layer = below_eye - LAYER_SHAPES[i].speed * wind_path_m;
                 NoiseLayer::new(LAYER_SHAPES[i], scene.sea.downwind, gale, on_layer)
             }),
             inverse_relative_index: into_water as f32,

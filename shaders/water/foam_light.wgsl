@@ -1,0 +1,36 @@
+// Light of whitecaps: a white diffuse body with relief.
+
+// Reflectance of thick fresh foam (Whitlock, Bartlett and Gurganus 1982; Koepke 1984).
+const FOAM_ALBEDO = 0.72;
+
+// Radiance of foam towards `v`: a white diffuse body lit by sun and sky, with the gloss of its wet bubbles.
+fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
+  let n = water_normal(slope.mean + foam.relief);
+  let l = frame.sun_direction;
+  // Light spreads inside foam, which softens its shading. Unresolved slopes brighten the mean, because facets that are
+  // turned away from the sun are not darker than black.
+  let cosine = dot(n, l);
+  let mean = 0.8 * cosine + 0.2 * l.y;
+  let across = slope.variance.x * l.x * l.x + slope.variance.y * l.z * l.z + 2.0 * slope.variance.z * l.x * l.z;
+  let deviation = 0.8 * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
+  let off = mean / deviation;
+  let wrapped = max(mean * foam_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
+  // Hollows see less of the sky.
+  let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
+  let albedo = material.foam_colour * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
+  let sunlight = cloud_sun_irradiance() * (wrapped * (0.8 + 0.4 * foam.grain));
+  let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
+  if l.y <= 0.0 || cosine <= 0.0 {
+    return body;
+  }
+  // Isotropic GGX, with Smith's masking and shadowing as approximated by Hammon (2017).
+  let alpha = max(material.foam_roughness * material.foam_roughness, 0.02);
+  let h = normalize(v + l);
+  let facing = dot(n, h);
+  let a2 = alpha * alpha;
+  let d = facing * facing * (a2 - 1.0) + 1.0;
+  let seen = max(dot(n, v), 1e-3);
+  let masked = 0.5 / mix(2.0 * cosine * seen, cosine + seen, alpha);
+  let gloss = material.glitter_strength * water_fresnel(dot(v, h)) * a2 / (ATM_PI * d * d) * masked * cosine;
+  return body + cloud_sun_irradiance() * min(gloss, 50.0);
+}
