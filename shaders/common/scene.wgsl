@@ -10,3 +10,4 @@
 @group(0) @binding(7) var noise_sampler: sampler;
 @group(0) @binding(8) var transmittance_map: texture_2d<f32>;
 @group(0) @binding(10) var mirrored_sky_map: texture_3d<f32>;
+@group(0) @binding(11) var bed_map: texture_2d<f32>;

@@ -18,6 +18,7 @@ pub use frame::FrameUniform;
 pub use reference::{ReferenceRenderer, SampleGrid};
 pub use scene::{FadingSea, Scene, SeaAppearance};
 pub use targets::OutputKind;
+pub use water::bed::BedTexture;
 pub use water::material::MaterialUniform;
 
 use crate::gpu::Gpu;
@@ -88,6 +89,7 @@ pub enum TimedPart {
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
+    bed: BedTexture,
     sky: SkyTables,
     eye: EyePass,
     water: WaterPass,
@@ -110,7 +112,8 @@ impl Renderer {
         let material = Uniform::new(gpu, "material");
         let noise = NoiseTexture::new(gpu);
         let sky = SkyTables::new(gpu, &shaders, &noise);
-        let scene = SceneGroup::new(gpu, &frame, &material, &sky, &noise, output);
+        let bed = BedTexture::new(gpu);
+        let scene = SceneGroup::new(gpu, &frame, &material, &sky, (&noise, &bed), output);
         let background = BackgroundPass::new(gpu, &shaders);
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
@@ -123,6 +126,7 @@ impl Renderer {
         Self {
             frame,
             material,
+            bed,
             sky,
             eye,
             water,
@@ -178,6 +182,9 @@ impl Renderer {
     fn prepare_frame(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
         self.frame.write(gpu, frame);
+        if water::material::is_bed_visible(scene) {
+            self.bed.fill_once(gpu);
+        }
         self.water.select_pipeline(gpu, scene);
         self.background.select_pipeline(gpu, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(gpu, maps);

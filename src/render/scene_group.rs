@@ -4,6 +4,7 @@ use super::frame::FrameUniform;
 use super::sky::tables::SkyTables;
 use super::sky::uniform::{LightBuffer, SkyUniform};
 use super::targets::OutputKind;
+use super::water::bed::BedTexture;
 use super::water::material::MaterialUniform;
 use super::water::noise::NoiseTexture;
 use crate::gpu::Gpu;
@@ -11,7 +12,7 @@ use crate::gpu::kit::BindingType;
 use crate::gpu::uniform::Uniform;
 use wgpu::BindingResource::{Sampler, TextureView};
 
-/// Bind group with the uniform buffers of frame, sky, light and material, and with the sky and noise textures.
+/// Bind group with the uniform buffers of frame, sky, light and material, and with the textures of sky, noise and bed.
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
@@ -26,7 +27,7 @@ impl SceneGroup {
         frame: &Uniform<FrameUniform>,
         material: &Uniform<MaterialUniform>,
         sky: &SkyTables,
-        noise: &NoiseTexture,
+        (noise, bed): (&NoiseTexture, &BedTexture),
         output: OutputKind,
     ) -> Self {
         let bindings = [
@@ -41,6 +42,7 @@ impl SceneGroup {
             BindingType::Texture,
             BindingType::Uniform(size_of::<MaterialUniform>()),
             BindingType::Texture3d,
+            BindingType::Texture,
         ];
         let layout = gpu.bind_group_layout("scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &bindings);
         let resources = [
@@ -55,6 +57,7 @@ impl SceneGroup {
             TextureView(&sky.transmittance),
             material.buffer.as_entire_binding(),
             TextureView(&sky.mirrored),
+            TextureView(&bed.view),
         ];
         Self { group: gpu.bind_group("scene", &layout, &resources), layout, output }
     }

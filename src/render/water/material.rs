@@ -1,5 +1,6 @@
 //! Uniform buffer with the optical properties of water, foam and bed, from the look, the sea and the eye's position.
 
+use super::bed::normal_quantile;
 use super::noise::NOISE_SIDE;
 use crate::gpu::layout::gpu_struct;
 use crate::optics::water::WaterOptics;
@@ -8,24 +9,32 @@ use crate::state::fields::linear_rgb;
 use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
-/// Number of noise layers, each the noise texture at its own size and angle: four for foam, two for the bed.
-const NOISE_LAYERS: usize = 6;
+/// Number of noise layers, each a periodic texture at its own size and angle: four of the noise texture for foam, four
+/// of the bed's texture.
+const NOISE_LAYERS: usize = 8;
 /// Shape of a noise layer: sides of its tile along and across its axis, m; angle from the wind to the axis, degrees;
 /// relative lengthening of the tile along the axis in a storm.
 type LayerShape = (f64, f64, f64, f64);
-/// Shapes of the noise layers: four of foam (windrows, patches, strands, bubbles), two of sand (patches with ripple
-/// marks, grains). Sides and angles have no common period, so that the sum of the layers does not repeat.
+/// Shapes of the noise layers: four of foam (windrows, patches, strands, bubbles), four of the bed (banks and channels,
+/// meadows, coral heads, ripples of the sand). Sides and angles have no common period, so that the sum of the layers does not repeat.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     (430.0, 430.0, 0.0, 5.0),
     (71.0, 71.0, 7.0, 2.6),
     (10.7, 10.7, -9.0, 1.9),
     (1.63, 1.63, 41.0, 0.0),
-    // The ripple marks of the sand have 38.6 periods per tile (shaders/water/bed.wgsl).
-    (12.35, 12.35, 63.0, 0.0),
-    (0.97, 0.97, 11.0, 0.0),
+    // The smallest tile holds 38 ripples. Their crests lie across the waves, which follow the wind.
+    (1870.0, 1870.0, 63.0, 0.0),
+    (310.0, 310.0, 29.0, 0.0),
+    (43.7, 43.7, 101.0, 0.0),
+    (15.1, 15.1, -14.0, 0.0),
 ];
 /// Fraction of light that must remain after the way straight down to the bed and back, or else the bed is not drawn.
 const MIN_BED_TRANSMITTANCE: f64 = 1e-3;
+/// Share of reefs in what covers the bed; the rest is seagrass.
+const REEF_SHARE: f64 = 0.3;
+/// Widths of the edges of meadows and reefs, standard deviations of their noise, as in shaders/water/bed.wgsl.
+const MEADOW_SOFTNESS: f64 = 0.3;
+const REEF_SOFTNESS: f64 = 0.14;
 
 gpu_struct! {
     /// WGSL `NoiseLayer`: transformation from positions on the water to texture coordinates of one noise layer.
@@ -124,6 +133,9 @@ gpu_struct! {
         caustic_filter_m: f32,
         /// Square of `relative_index`, less 1, and the reciprocal of that, or 0 if the indices are equal.
         index_contrast: [f32; 2],
+        /// Normal noise above minus this is a meadow of seagrass (x) or a reef (y) on the bed.
+        bed_cover_edges: [f32; 2],
+        unused: [f32; 2],
     }
 }
 
@@ -178,8 +190,22 @@ impl MaterialUniform {
             caustic_strength: bed.caustics as f32,
             caustic_filter_m: scene.sea.caustic_filter_m as f32,
             index_contrast: [contrast, if contrast == 0.0 { 0.0 } else { contrast.recip() }].map(|x| x as f32),
+            bed_cover_edges: bed_cover_edges(bed.cover),
+            unused: [0.0; 2],
         }
     }
+}
+
+/// Thresholds of the noises of seagrass and reef that cover the share `cover` of the bed: reefs three tenths of it, and
+/// seagrass the rest, between the reefs.
+fn bed_cover_edges(cover: f64) -> [f32; 2] {
+    let reef = REEF_SHARE * cover;
+    let meadow = (cover - reef) / (1.0 - reef);
+    // Soft edges shift the threshold that keeps the mean (shaders/water/bed.wgsl).
+    [(meadow, MEADOW_SOFTNESS), (reef, REEF_SOFTNESS)].map(|(share, soft)| {
+        let edge = if share <= 0.0 { -9.0 } else { normal_quantile(share) };
+        (edge * (1.0 + soft * soft).sqrt()) as f32
+    })
 }
 
 /// Absorption and scattering of the water that the settings `scattering` select: a water type, or water of a colour.

@@ -90,7 +90,7 @@ fn noise_tile(side: u32) -> Vec<[f32; 4]> {
 
 /// Rank of each value among all values, 0 (lowest) to 1, so that the results are spread evenly. Ranks come from a
 /// histogram of 65536 bins; values in the same bin get the same rank.
-fn ranks_of_values(values: &[f32]) -> Vec<f32> {
+pub(super) fn ranks_of_values(values: &[f32]) -> Vec<f32> {
     const BINS: usize = 1 << 16;
     let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
     let scale = (BINS - 1) as f32 / (high - low).max(f32::MIN_POSITIVE);
@@ -108,7 +108,8 @@ fn ranks_of_values(values: &[f32]) -> Vec<f32> {
     values.iter().map(|&v| ranks[bin(v)]).collect()
 }
 
-fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
+/// The next coarser mip level of a level of `side` x `side` texels.
+pub(super) fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
     let half = side / 2;
     let at = |x: usize, y: usize, c: usize| level[y * side + x][c];
     (0..half * half)
@@ -120,7 +121,7 @@ fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
 }
 
 /// A periodic lattice of square cells with two random numbers per cell, from which Worley or Perlin noise is computed.
-struct NoiseLattice {
+pub(super) struct NoiseLattice {
     period: i32,
     /// The two numbers of each cell, row by row: for Worley noise the place of a point in the cell, 0 to 1; for Perlin
     /// noise a unit vector at its corner of lowest x and y. Copies of the cells at the opposite edge surround the
@@ -130,12 +131,12 @@ struct NoiseLattice {
 
 impl NoiseLattice {
     /// A lattice of `period` x `period` cells with a random point in each, for Worley noise. `key` is the random seed.
-    fn feature_points(period: i32, key: u32) -> Self {
+    pub(super) fn feature_points(period: i32, key: u32) -> Self {
         Self::new(period, key, |cell| cell)
     }
 
     /// A lattice of `period` x `period` corners with a random unit vector at each, for Perlin noise. `key` is a seed.
-    fn gradients(period: i32, key: u32) -> Self {
+    pub(super) fn gradients(period: i32, key: u32) -> Self {
         Self::new(period, key, |[a, _]| {
             let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
             [cos, sin]
@@ -171,7 +172,7 @@ impl NoiseLattice {
     }
 
     /// Worley noise, 0 to 1, at (x, y) in a tile of side 1: 1 on the borders between the points' regions, less inside.
-    fn worley_noise(&self, x: f32, y: f32) -> f32 {
+    pub(super) fn worley_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [x, y]) = self.locate_cell(x, y);
         // Squared distances compared as bits, which sort alike: WebAssembly finds the minimum of integers faster.
         let (mut first, mut second) = (u32::MAX, u32::MAX);
@@ -188,7 +189,7 @@ impl NoiseLattice {
     }
 
     /// Perlin noise, about -0.7 to 0.7, at (x, y) in a periodic tile of side 1.
-    fn perlin_noise(&self, x: f32, y: f32) -> f32 {
+    pub(super) fn perlin_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [fx, fy]) = self.locate_cell(x, y);
         let corner = |dx: usize, dy: usize| {
             let [cos, sin] = self.cells[before + (dy + 1) * self.stored_row_length() + dx + 1];
