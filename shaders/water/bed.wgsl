@@ -6,8 +6,9 @@ const BED_BANK_LAYER = 4u;
 const BED_MEADOW_LAYER = 5u;
 const BED_HEAD_LAYER = 6u;
 const BED_RIPPLE_LAYER = 7u;
-// Decoding of the texture: slopes up to 0.8 in red and green, normal noise up to 3.2 deviations in blue and alpha.
-const BED_RANGE = vec4f(1.6, 1.6, 6.4, 6.4);
+// Decoding of the texture: slope of ripples up to 1 in red, their height up to 1.6 amplitudes in green, normal noise up
+// to 3.2 deviations in blue and alpha.
+const BED_RANGE = vec4f(2.0, 3.2, 6.4, 6.4);
 // Side of the tile of the ripples, m.
 const BED_RIPPLE_TILE_M = 15.1;
 // Noise of the bed: mip level at which half the variance is left, of the fractal noise (x) and of the coral (y), and
@@ -15,7 +16,7 @@ const BED_RIPPLE_TILE_M = 15.1;
 const BED_HALF_VARIANCE_LOD = vec2f(5.45, 3.45);
 const BED_VARIANCE_STEEPNESS = vec2f(1.65, 1.35);
 // The water's depth varies by these standard deviations over hundreds and over tens of metres, relative to its mean.
-const BED_BANKS = vec2f(0.11, 0.09);
+const BED_BANKS = vec2f(0.14, 0.09);
 // Finest mip levels at which the two are read: banks are smooth.
 const BED_BANK_LODS = vec2f(2.0, 3.5);
 // Widths of the edges of meadows (x) and reefs (y), standard deviations of their noise.
@@ -24,12 +25,13 @@ const BED_SOFTNESS = vec2f(0.3, 0.14);
 const BED_MEADOW_WEIGHTS = vec3f(0.4, 0.75, 0.5268);
 const BED_REEF_WEIGHTS = vec3f(0.35, 0.65, 0.6745);
 // Albedos of seagrass and of a reef (Hochberg and Atkinson 2003: 3 to 10 %, and brown).
-const BED_SEAGRASS_ALBEDO = vec3f(0.050, 0.068, 0.028);
+const BED_SEAGRASS_ALBEDO = vec3f(0.056, 0.080, 0.034);
 const BED_REEF_ALBEDO = vec3f(0.135, 0.105, 0.062);
 // Limits the brightness of a caustic, which the sun's disc and scattering in the water blur.
-const BED_CAUSTIC_BLUR = 0.15;
+const BED_CAUSTIC_BLUR = 0.08;
 
-// Slopes (xy) and noises (zw) of a layer at a position relative to the point below the eye, m, at a mip level.
+// Slope and height of ripples (xy) and noises (zw) of a layer at a position relative to the point below the eye, m, at
+// a mip level.
 fn bed_noise(layer: u32, at: vec2f, lod: f32) -> vec4f {
   let texel = textureSampleLevel(bed_map, noise_sampler, material_uv(layer, at), max(lod, 0.0));
   return (texel - 0.5) * BED_RANGE;
@@ -50,14 +52,15 @@ fn bed_banks(at: vec2f, size: f32) -> vec2f {
 // What a pixel shows of the bed.
 struct BedGround {
   albedo: vec3f,
-  // Slope of its sand ripples along x and z.
-  slope: vec2f,
+  // Slope of its sand ripples along the first side of their tile.
+  slope: f32,
 }
 
 // The ground at a position relative to the point below the eye, m. It is filtered over texels of `size` metres, in two
 // samples `step` before and behind. `banks` is the noise of the banks.
 fn bed_ground(at: vec2f, step: vec2f, size: f32, banks: vec2f) -> BedGround {
-  let lods = vec3f(material_lod(BED_MEADOW_LAYER, size), material_lod(BED_HEAD_LAYER, size), material_lod(BED_RIPPLE_LAYER, size));
+  let lods = vec3f(
+    material_lod(BED_MEADOW_LAYER, size), material_lod(BED_HEAD_LAYER, size), material_lod(BED_RIPPLE_LAYER, size));
   let bank_left = bed_variance_left(max(material_lod(BED_BANK_LAYER, size), BED_BANK_LODS.x)).x;
   let meadow_left = bed_variance_left(lods.x);
   let head_left = bed_variance_left(lods.y);
@@ -76,16 +79,15 @@ fn bed_ground(at: vec2f, step: vec2f, size: f32, banks: vec2f) -> BedGround {
       (dot(BED_MEADOW_WEIGHTS, vec3f(banks.x, wide.x, heads.x)) + material.bed_cover_edges.x) * sharp.x);
     let reef = foam_normal_cdf(
       (dot(BED_REEF_WEIGHTS, vec3f(-banks.x, wide.y, heads.y)) + material.bed_cover_edges.y) * sharp.y);
-    // Sand is rippled in places, and paler where nothing grows.
-    let rippled = saturate(0.55 + 0.35 * heads.x) * (1.0 - meadow) * (1.0 - reef);
-    out.slope += (0.5 * rippled) * fine.xy;
-    let sand = material.bed_colour * max(1.0 + 0.06 * heads.x + 0.035 * fine.z, 0.3);
+    // Sand is rippled in places.
+    let rippled = saturate(0.65 + 0.3 * heads.x);
+    out.slope += (0.5 * (1.0 - meadow) * (1.0 - reef)) * rippled * fine.x;
+    // Their troughs gather dark grains.
+    let sand = material.bed_colour * max(1.0 + 0.06 * heads.x + 0.035 * fine.z + 0.08 * rippled * fine.y, 0.3);
     let seagrass = BED_SEAGRASS_ALBEDO * max(1.0 + 0.22 * heads.x + 0.3 * fine.z, 0.2);
     let coral = BED_REEF_ALBEDO * max(1.0 + 0.3 * heads.y + 0.33 * fine.w, 0.15);
     out.albedo += 0.5 * mix(mix(sand, seagrass, meadow), coral, reef);
   }
-  // From axes of the tile to those of the world.
-  out.slope = (BED_RIPPLE_TILE_M * out.slope) * material.noise_layers[BED_RIPPLE_LAYER].uv_from_position;
   return out;
 }
 
@@ -158,13 +160,16 @@ fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: 
   let length_m = column / down;
   let hit = place + run * column;
   // Unresolved slopes turn the ray by `bend` times their angle, which spreads it over the bed, most of all along it.
-  let square = max(1.0 - ray.y * ray.y, 1e-6);
-  let along = ray.xz * inverseSqrt(square);
+  let square = max(1.0 - down * down, 1e-6);
+  let along = ray.xz * inverseSqrt(max(dot(ray.xz, ray.xz), 1e-6));
   let index = material.relative_index;
-  let bend = column * max(down - sqrt(max(1.0 - index * index * square, 0.0)) / index, 0.0) / down;
-  let along_variance = max(along.x * along.x * variance.x + along.y * along.y * variance.y
-    + 2.0 * along.x * along.y * variance.z, 0.0);
-  let across_variance = max(variance.x + variance.y - along_variance, 0.0);
+  let incidence = sqrt(max(1.0 - index * index * square, 0.0));
+  let bend = column * max(down - incidence / index, 0.0) / down;
+  let all_along = max(along.x * along.x * variance.x + along.y * along.y * variance.y
+    + 2.0 * along.x * along.y * variance.z, 1e-7);
+  // At grazing view only facets that tilt to the eye are seen, whose slopes vary less. Fitted to Gaussian slopes.
+  let along_variance = all_along * (1.0 - 0.57 * exp(-0.45 * incidence * inverseSqrt(all_along)));
+  let across_variance = max(variance.x + variance.y - all_along, 0.0);
   let spread = (2.0 * bend) * sqrt(vec2f(along_variance, across_variance)) * vec2f(1.0 / (down * down), 1.0);
   let filtered = sqrt(size * size + spread * spread);
   // Two samples cover the longer side, each with texels between its width and half its length.
@@ -187,7 +192,9 @@ fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: 
   }
   let ground = bed_ground(hit, along * (0.354 * filtered.x), texel, banks);
   // Sides of the ripples that face the sun are brighter.
-  let facing = max(1.0 + dot(beam.xz, ground.slope) / beam_down, 0.0);
+  let axes = material.noise_layers[BED_RIPPLE_LAYER].uv_from_position;
+  let tilt = BED_RIPPLE_TILE_M * dot(beam.xz, vec2f(axes[0].x, axes[1].x));
+  let facing = max(1.0 + ground.slope * tilt / beam_down, 0.0);
   let sun_down = sun * facing * exp(-k * (column / beam_down));
   let sky_down = light.sky_irradiance * (WATER_SKYLIGHT_TRANSMITTANCE * exp(-1.2 * k * column));
   let up = exp(-k * length_m);

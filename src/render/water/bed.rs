@@ -1,5 +1,5 @@
-//! The periodic texture of the sea bed with its mip levels: slopes of sand ripples along both sides of the tile (red and
-//! green), and two noises of normal distribution, a fractal one (blue) and one of heads of coral (alpha).
+//! The periodic texture of the sea bed with its mip levels: slope of sand ripples along the first side of the tile
+//! (red), their height (green), and two noises of normal distribution, fractal (blue) and of heads of coral (alpha).
 
 use super::noise::{NOISE_SIDE, NoiseLattice, half_size_level, ranks_of_values};
 use crate::gpu::Gpu;
@@ -8,20 +8,22 @@ use glam::DVec2;
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
-/// Texels hold slopes of the ripples up to this, and noise up to [`NOISE_RANGE`] standard deviations, as numbers from 0
-/// to 1 (shaders/water/bed.wgsl).
-const SLOPE_RANGE: f64 = 0.8;
+/// Texels hold slopes of the ripples up to this, their heights up to 1.6 mean amplitudes, and noise up to
+/// [`NOISE_RANGE`] standard deviations, as numbers from 0 to 1 (shaders/water/bed.wgsl).
+const SLOPE_RANGE: f64 = 1.0;
+/// Largest height of a ripple in a texel, amplitudes of its first harmonic.
+const HEIGHT_RANGE: f64 = 1.6;
 /// Largest noise in a texel, standard deviations.
 const NOISE_RANGE: f64 = 3.2;
 /// Number of ripples along the tile. Their crests lie across its first side.
 const RIPPLES: i32 = 38;
 /// Height of the ripples from trough to crest, relative to their wavelength: 0.15 is the steepest that waves build,
 /// vortex ripples (Wiberg and Harris 1994).
-const RIPPLE_STEEPNESS: f64 = 0.13;
+const RIPPLE_STEEPNESS: f64 = 0.15;
 /// Standard deviations, in periods per tile, of the wave vectors of the ripples along and across their mean.
 const RIPPLE_SPREAD: [f64; 2] = [3.2, 4.2];
 
-/// Texture of the sea bed: slopes of ripples in red and green, fractal noise in blue, noise of coral in alpha.
+/// Texture of the sea bed: slope of ripples in red, their height in green, fractal noise in blue, coral in alpha.
 pub struct BedTexture {
     texture: wgpu::Texture,
     /// View of all mip levels.
@@ -98,16 +100,20 @@ fn bed_tile(side: u32) -> Vec<[f32; 4]> {
         1.1 * groups.perlin_noise(x, y) - large.worley_noise(u, v) - 0.5 * small.worley_noise(u, v)
             + 0.25 * octaves[5].perlin_noise(x, y)
     });
-    let slopes = ripple_slopes(side);
-    let encode = |slope: f64| (0.5 + 0.5 * slope / SLOPE_RANGE).clamp(0.0, 1.0) as f32;
+    let ripples = ripples(side);
+    let encode = |part: f64| (0.5 + 0.5 * part).clamp(0.0, 1.0) as f32;
     (0..(side * side) as usize)
-        .map(|i| [encode(slopes[i][0]), encode(slopes[i][1]), fractal[i], coral[i]])
+        .map(|i| {
+            let [slope, height] = ripples[i];
+            [encode(slope / SLOPE_RANGE), encode(height / HEIGHT_RANGE), fractal[i], coral[i]]
+        })
         .collect()
 }
 
-/// Slopes of sand ripples along both sides of a tile. Their phase is that of a narrow band of random waves, so that
-/// crests wander, fork and end as those in sand do; their profile has sharp crests between broad troughs.
-fn ripple_slopes(side: u32) -> Vec<[f64; 2]> {
+/// Slopes of sand ripples along the first side of a tile, and their heights in amplitudes. Their phase is that of a
+/// narrow band of random waves, so that crests wander, fork and end as those in sand do; their profile has sharp crests
+/// between broad troughs.
+fn ripples(side: u32) -> Vec<[f64; 2]> {
     let n = side as i32;
     let reach = RIPPLE_SPREAD.map(|s| (2.5 * s) as i32);
     let turns: Vec<DVec2> = (0..n).map(|i| DVec2::from_angle(TAU * f64::from(i) / f64::from(n))).collect();
@@ -136,16 +142,16 @@ fn ripple_slopes(side: u32) -> Vec<[f64; 2]> {
             let strength = (sum.length_squared() / power).min(0.08) / 0.08;
             let phase = sum.to_angle();
             let profile = phase.cos() + 0.3 * (2.0 * phase).cos() + 0.1 * (3.0 * phase).cos();
-            heights.push(0.5 * RIPPLE_STEEPNESS * strength * profile);
+            heights.push(strength * profile);
         }
     }
-    // Heights are relative to the wavelength, of which the tile has a whole number.
-    let per_side = 0.5 * f64::from(n) / f64::from(RIPPLES);
-    let height = |x: i32, y: i32| heights[(y.rem_euclid(n) * n + x.rem_euclid(n)) as usize];
+    // Slope of a difference of heights over two texels, from the number of texels in a wavelength.
+    let scale = 0.5 * RIPPLE_STEEPNESS * 0.5 * f64::from(n) / f64::from(RIPPLES);
+    let height = |x: i32, y: i32| heights[(y * n + x.rem_euclid(n)) as usize];
     (0..n * n)
         .map(|i| {
             let (x, y) = (i % n, i / n);
-            [height(x + 1, y) - height(x - 1, y), height(x, y + 1) - height(x, y - 1)].map(|d| d * per_side)
+            [scale * (height(x + 1, y) - height(x - 1, y)), height(x, y)]
         })
         .collect()
 }
@@ -168,12 +174,34 @@ mod tests {
         (mean, level.iter().map(|t| (f64::from(t[channel]) - mean).powi(2)).sum::<f64>() / n)
     }
 
+    /// The shader's estimate of the variance that a mip level keeps (shaders/water/bed.wgsl).
+    fn variance_left(lod: f64, half_lod: f64, steepness: f64) -> f64 {
+        1.0 / (1.0 + (steepness * (lod - half_lod)).exp2())
+    }
+
     #[test]
-    fn variance_left() {
-        let levels = bed_levels(512);
-        for (i, level) in levels.iter().enumerate() {
-            let v: Vec<_> = (0..4).map(|c| mean_square(level, c)).collect();
-            eprintln!("{i} {:.4} {:.4} {:.4} {:.4} {:.4}", v[0].1.sqrt() * 1.6, v[1].1.sqrt() * 1.6, v[2].1 * 6.4 * 6.4, v[3].1 * 6.4 * 6.4, v[2].0);
+    fn noises_are_normal_and_lose_their_variance_as_the_shader_expects() {
+        let levels = bed_levels(NOISE_SIDE);
+        let unit = (2.0 * NOISE_RANGE).powi(2);
+        for (channel, half_lod, steepness) in [(2, 5.45, 1.65), (3, 3.45, 1.35)] {
+            let (mean, square) = mean_square(&levels[0], channel);
+            assert!((mean - 0.5).abs() * 2.0 * NOISE_RANGE < 0.02, "{mean}");
+            assert!((square * unit - 1.0).abs() < 0.03, "{}", square * unit);
+            for (lod, level) in levels.iter().enumerate() {
+                // The sampler interpolates, which smooths by half a level more.
+                let (got, want) =
+                    (mean_square(level, channel).1 * unit, variance_left(lod as f64, half_lod, steepness));
+                assert!((got - want).abs() < 0.15, "channel {channel}, level {lod}: {got:.3}, not {want:.3}");
+            }
         }
+    }
+
+    #[test]
+    fn ripples_are_level_and_as_steep_as_those_in_sand() {
+        let ripples = ripples(256);
+        let mean = |f: &dyn Fn(&[f64; 2]) -> f64| ripples.iter().map(f).sum::<f64>() / ripples.len() as f64;
+        assert!(mean(&|r| r[0]).abs() < 1e-6 && mean(&|r| r[1]).abs() < 0.02);
+        let deviation = mean(&|r| r[0] * r[0]).sqrt();
+        assert!((0.2..0.45).contains(&deviation), "{deviation}");
     }
 }

@@ -16,7 +16,8 @@ const NOISE_LAYERS: usize = 8;
 /// relative lengthening of the tile along the axis in a storm.
 type LayerShape = (f64, f64, f64, f64);
 /// Shapes of the noise layers: four of foam (windrows, patches, strands, bubbles), four of the bed (banks and channels,
-/// meadows, coral heads, ripples of the sand). Sides and angles have no common period, so that the sum of the layers does not repeat.
+/// meadows, coral heads, ripples of the sand). Sides and angles have no common period, so that the sum of the layers
+/// does not repeat.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     (430.0, 430.0, 0.0, 5.0),
     (71.0, 71.0, 7.0, 2.6),
