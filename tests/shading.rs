@@ -629,9 +629,9 @@ fn compare_caustics(kernel: &Kernel<'_>) -> Vec<Line> {
 
 /// What covers the bed has its share at every distance, and so has the light that comes from it.
 fn compare_bed(kernel: &Kernel<'_>) -> Vec<Line> {
-    // The largest tile of the bed's noise is 1,870 m long.
+    // The largest tile of the bed's noise is 1,130 m long.
     let places: Vec<DVec2> = (0..30_000u32)
-        .map(|i| 9350.0 * DVec2::new((0.754_877_67 * f64::from(i)).fract(), (0.569_840_29 * f64::from(i)).fract()))
+        .map(|i| 5650.0 * DVec2::new((0.754_877_67 * f64::from(i)).fract(), (0.569_840_29 * f64::from(i)).fract()))
         .collect();
     let mean = |question: f32, size: f64, variance: f32| {
         let cases = places.iter().map(|&at| {

@@ -18,11 +18,11 @@ const BED_VARIANCE_STEEPNESS = vec2f(1.65, 1.35);
 // The water's depth varies by these standard deviations over hundreds and over tens of metres, relative to its mean.
 const BED_BANKS = vec2f(0.14, 0.09);
 // Finest mip levels at which the two are read: banks are smooth.
-const BED_BANK_LODS = vec2f(2.0, 3.5);
+const BED_BANK_LODS = vec2f(1.5, 3.5);
 // Widths of the edges of meadows (x) and reefs (y), standard deviations of their noise.
 const BED_SOFTNESS = vec2f(0.3, 0.14);
 // Weights of the noise of banks, meadows and heads, whose squares add up to 1.
-const BED_MEADOW_WEIGHTS = vec3f(0.4, 0.75, 0.5268);
+const BED_MEADOW_WEIGHTS = vec3f(0.58, 0.63, 0.5164);
 const BED_REEF_WEIGHTS = vec3f(0.35, 0.65, 0.6745);
 // Albedos of seagrass and of a reef (Hochberg and Atkinson 2003: 3 to 10 %, and brown).
 const BED_SEAGRASS_ALBEDO = vec3f(0.056, 0.080, 0.034);

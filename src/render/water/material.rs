@@ -24,7 +24,7 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     (10.7, 10.7, -9.0, 1.9),
     (1.63, 1.63, 41.0, 0.0),
     // The smallest tile holds 38 ripples. Their crests lie across the waves, which follow the wind.
-    (1870.0, 1870.0, 63.0, 0.0),
+    (1130.0, 1130.0, 63.0, 0.0),
     (310.0, 310.0, 29.0, 0.0),
     (43.7, 43.7, 101.0, 0.0),
     (15.1, 15.1, -14.0, 0.0),
