@@ -175,6 +175,8 @@ fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: 
   // Two samples cover the longer side, each with texels between its width and half its length.
   let part = 0.71 * filtered.x;
   let texel = sqrt(part * max(part, filtered.y));
+  // Before the caustics, which need most registers.
+  let ground = bed_ground(hit, along * (0.354 * filtered.x), texel, banks);
   let k = material.absorption + material.backscatter;
   let beam = water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0));
   let sun_height = max(frame.sun_direction.y, 0.0);
@@ -190,7 +192,6 @@ fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: 
       sun *= mix(1.0, bed_caustic_gain(entry, column), sharp);
     }
   }
-  let ground = bed_ground(hit, along * (0.354 * filtered.x), texel, banks);
   // Sides of the ripples that face the sun are brighter.
   let axes = material.noise_layers[BED_RIPPLE_LAYER].uv_from_position;
   let tilt = BED_RIPPLE_TILE_M * dot(beam.xz, vec2f(axes[0].x, axes[1].x));
