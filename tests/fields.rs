@@ -79,6 +79,7 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("extent", "", "0.5"),
     ("camera", "", "buoy"),
     ("caustics", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
+    ("bedcover", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
     ("bedcolour", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
 ];
 

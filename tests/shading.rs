@@ -8,8 +8,10 @@ use glam::{DMat2, DVec2, DVec3};
 use half::f16;
 use seastate::gpu::Gpu;
 use seastate::ocean::{Ocean, OutputKind};
-use seastate::render::{self, MaterialUniform};
+use seastate::render::{self, BedTexture, MaterialUniform};
 use seastate::shaders::Shaders;
+use seastate::state::fields::linear_rgb;
+use seastate::state::look::BedLook;
 use seastate::waves::slopes;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
@@ -105,6 +107,8 @@ struct Bench {
     material: wgpu::Buffer,
     mirrored_sky: wgpu::TextureView,
     sky: wgpu::Sampler,
+    noise: wgpu::Sampler,
+    bed: BedTexture,
     foot: DVec2,
 }
 
@@ -133,7 +137,11 @@ impl Bench {
         let mirrored_sky = mirrored_sky(&gpu);
         let modes = [wgpu::AddressMode::Repeat, wgpu::AddressMode::ClampToEdge];
         let sky = gpu.sampler("made-up sky", modes, wgpu::MipmapFilterMode::Nearest);
-        Self { gpu, ocean, frame, material, mirrored_sky, sky, foot: DVec2::new(params.camera.x_m, params.camera.z_m) }
+        let noise = gpu.sampler("noise", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear);
+        let mut bed = BedTexture::new(&gpu);
+        bed.fill_once(&gpu);
+        let foot = DVec2::new(params.camera.x_m, params.camera.z_m);
+        Self { gpu, ocean, frame, material, mirrored_sky, sky, noise, bed, foot }
     }
 
     fn kernel(&mut self, shaders: Shaders) -> Kernel<'_> {
@@ -160,8 +168,10 @@ impl Bench {
             &[
                 (0, self.frame.as_entire_binding()),
                 (5, BindingResource::Sampler(&self.sky)),
+                (7, BindingResource::Sampler(&self.noise)),
                 (9, self.material.as_entire_binding()),
                 (10, BindingResource::TextureView(&self.mirrored_sky)),
+                (11, BindingResource::TextureView(&self.bed.view)),
             ],
         );
         common::bind_maps(&mut kernel, &self.gpu, self.ocean.simulation());
@@ -622,7 +632,7 @@ fn compare_glints(kernel: &Kernel<'_>) -> Vec<Line> {
     let (mut off, mut spread) = (0.0_f64, 0.0_f64);
     for expected in [0.05, 0.5, 3.9, 4.1, 30.0] {
         let side = 200;
-        let case = |i: i32| place_case(8.0, DVec2::new(f64::from(i % side), f64::from(i / side)), expected);
+        let case = |i: i32| place_case(11.0, DVec2::new(f64::from(i % side), f64::from(i / side)), expected);
         let cases: Vec<Case> = (0..side * side).map(case).collect();
         let got: Vec<f64> = kernel.ask(&cases).iter().map(|a| a[0]).collect();
         let n = got.len() as f64;
@@ -637,6 +647,37 @@ fn compare_glints(kernel: &Kernel<'_>) -> Vec<Line> {
     vec![line("mean of glints, deviations off 1", off, 4.0), line("variance of glints", spread, 0.15)]
 }
 
+/// What covers the bed has its share at every distance, and so has the light that comes from it.
+fn compare_bed(kernel: &Kernel<'_>) -> Vec<Line> {
+    // The largest tile of the bed's noise is 1,130 m long.
+    let places: Vec<DVec2> = (0..30_000u32)
+        .map(|i| 5650.0 * DVec2::new((0.754_877_67 * f64::from(i)).fract(), (0.569_840_29 * f64::from(i)).fract()))
+        .collect();
+    let mean = |question: f32, size: f64, variance: f32| {
+        let cases = places.iter().map(|&at| {
+            let mut case = place_case(question, at, size);
+            case[1][0] = variance;
+            case
+        });
+        let got = kernel.ask(&cases.collect::<Vec<_>>());
+        DVec3::from_array([0, 1, 2].map(|c| got.iter().map(|g| g[c]).sum::<f64>() / got.len() as f64))
+    };
+    let off = |got: DVec3, want: DVec3| (got / want - 1.0).abs().max_element();
+    let look = BedLook::default();
+    let albedo = |of: f64| DVec3::from_slice(&kernel.ask(&[place_case(10.0, DVec2::new(of, 0.0), 0.0)])[0]);
+    let (seagrass, coral) = (albedo(0.0), albedo(1.0));
+    let bare = 1.0 - look.cover;
+    let want = bare * DVec3::from_array(linear_rgb(look.colour)) + look.cover * (0.7 * seagrass + 0.3 * coral);
+    let fine = mean(9.0, 0.02, 0.0);
+    let sizes = [0.3, 2.0, 9.0, 30.0];
+    vec![
+        line("mean albedo of the bed", off(mean(8.0, 0.02, 0.0), want), 4e-2),
+        line("mean albedo of the bed from afar", largest(sizes.map(|s| off(mean(8.0, s, 0.0), want))), 4e-2),
+        line("mean light of the bed from afar", largest(sizes.map(|s| off(mean(9.0, s, 0.0), fine))), 4e-2),
+        line("mean light of the bed in wavelets", off(mean(9.0, 0.02, 1.0), fine), 4e-2),
+    ]
+}
+
 fn compare(bench: &mut Bench, shaders: Shaders) -> Vec<Line> {
     let kernel = bench.kernel(shaders);
     [
@@ -646,6 +687,7 @@ fn compare(bench: &mut Bench, shaders: Shaders) -> Vec<Line> {
         compare_glitter,
         compare_furnace,
         compare_caustics,
+        compare_bed,
         compare_surface,
         compare_glints,
     ]
@@ -787,6 +829,16 @@ const FAULTS: &[Fault] = &[
         "contrast of caustics under 0.05",
     ),
     Fault("a tenth of the glints left out", &[("count += 1.0;", "count += 0.9;")], "mean of glints, deviations off 1"),
+    Fault(
+        "reefs below the seagrass",
+        &[("mix(mix(sand, seagrass, meadow), coral, reef)", "mix(sand, seagrass, meadow)")],
+        "mean albedo of the bed",
+    ),
+    Fault(
+        "edges of meadows sharp from afar",
+        &[("BED_SOFTNESS * BED_SOFTNESS + 1.0 - resolved", "BED_SOFTNESS * BED_SOFTNESS")],
+        "mean albedo of the bed from afar",
+    ),
     Fault("the light's way back mirrored", &[("let uv = 0.5 - over", "let uv = 0.5 + over")], "mirrored direction"),
 ];
 

@@ -49,11 +49,21 @@ fn answer(question: Question) -> Answer {
       material.caustic_filter_m = a.z;
       answer.x = bed_caustic_gain(a.xy, b.x);
     }
+    case 8u: { answer = vec4f(bed_ground(a.xy, vec2f(0.0), a.z, bed_banks(a.xy, a.z)).albedo, 0.0); }
+    case 9u: {
+      frame.depth_m = 4.0;
+      frame.sun_direction = normalize(vec3f(0.3, 0.9, 0.2));
+      light.sun_irradiance = vec3f(1.0);
+      light.sky_irradiance = vec3f(0.3);
+      let ray = normalize(vec3f(0.5, -0.8, 0.2));
+      answer = vec4f(water_bed_radiance(vec3f(0.0), a.xy, 0.0, ray, vec2f(a.z), vec3f(b.x, b.x, 0.0)), 0.0);
+    }
+    case 10u: { answer = vec4f(select(BED_SEAGRASS_ALBEDO, BED_REEF_ALBEDO, a.x > 0.0), 0.0); }
     case 6u: {
       let slope = WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0));
       answer.x = water_second_bounce(water_tilt_towards(a.xyz, slope), b.x);
     }
-    case 8u: { answer.x = water_glint_cell(vec2u(a.xy), a.z); }
+    case 11u: { answer.x = water_glint_cell(vec2u(a.xy), a.z); }
     default: { answer = vec4f(water_normal(a.xy), 0.0); }
   }
   return Answer(answer);

@@ -12,3 +12,4 @@
 @group(0) @binding(10) var mirrored_sky_map: texture_3d<f32>;
 @group(0) @binding(11) var<uniform> clouds: Clouds;
 @group(0) @binding(12) var cloud_shadow_map: texture_2d<f32>;
+@group(0) @binding(13) var bed_map: texture_2d<f32>;

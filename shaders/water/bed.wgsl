@@ -1,29 +1,94 @@
-// The sandy bed below shallow water: its albedo where the refracted ray hits it, and the sunlight that waves focus.
+// The bed below shallow water: banks and channels, rippled sand, meadows of seagrass and reefs where the refracted ray
+// hits it, and the sunlight that waves focus.
 
-// Noise layer of sand patches and ripple marks.
-const BED_PATCH_LAYER = 4u;
-// Noise layer of sand grains.
-const BED_GRAIN_LAYER = 5u;
-// Number of periods of the ripple marks in the sand along both sides of the noise tile (src/render/water/material.rs).
-const BED_RIPPLES_PER_TILE = vec2f(37.0, 11.0);
-// Wavelength of the ripple marks in the sand, m.
-const BED_RIPPLE_WAVELENGTH_M = 0.32;
+// Layers of the bed's texture (src/render/water/bed.rs): banks and channels, meadows, heads of coral, ripples.
+const BED_BANK_LAYER = 4u;
+const BED_MEADOW_LAYER = 5u;
+const BED_HEAD_LAYER = 6u;
+const BED_RIPPLE_LAYER = 7u;
+// Decoding of the texture: slope of ripples up to 1 in red, their height up to 1.6 amplitudes in green, normal noise up
+// to 3.2 deviations in blue and alpha.
+const BED_RANGE = vec4f(2.0, 3.2, 6.4, 6.4);
+// Side of the tile of the ripples, m.
+const BED_RIPPLE_TILE_M = 15.1;
+// Noise of the bed: mip level at which half the variance is left, of the fractal noise (x) and of the coral (y), and
+// steepness of the decrease. Fitted to the mip levels as the sampler interpolates them.
+const BED_HALF_VARIANCE_LOD = vec2f(5.45, 3.45);
+const BED_VARIANCE_STEEPNESS = vec2f(1.65, 1.35);
+// The water's depth varies by these standard deviations over hundreds and over tens of metres, relative to its mean.
+const BED_BANKS = vec2f(0.14, 0.09);
+// Finest mip levels at which the two are read: banks are smooth.
+const BED_BANK_LODS = vec2f(1.5, 3.5);
+// Widths of the edges of meadows (x) and reefs (y), standard deviations of their noise.
+const BED_SOFTNESS = vec2f(0.3, 0.14);
+// Weights of the noise of banks, meadows and heads, whose squares add up to 1.
+const BED_MEADOW_WEIGHTS = vec3f(0.58, 0.63, 0.5164);
+const BED_REEF_WEIGHTS = vec3f(0.35, 0.65, 0.6745);
+// Albedos of seagrass and of a reef (Hochberg and Atkinson 2003: 3 to 10 %, and brown).
+const BED_SEAGRASS_ALBEDO = vec3f(0.056, 0.080, 0.034);
+const BED_REEF_ALBEDO = vec3f(0.135, 0.105, 0.062);
 // Limits the brightness of a caustic, which the sun's disc and scattering in the water blur.
-const BED_CAUSTIC_BLUR = 0.15;
+const BED_CAUSTIC_BLUR = 0.08;
 
-// Albedo of the sand at a position relative to the point below the eye, m, filtered over `size` metres.
-fn bed_albedo(at: vec2f, size: f32) -> vec3f {
-  let wide = material_noise(BED_PATCH_LAYER, at, material_lod(BED_PATCH_LAYER, size));
-  let fine = material_noise(BED_GRAIN_LAYER, at, material_lod(BED_GRAIN_LAYER, size));
-  // Curved ripple marks, with whole periods per tile so that they stay in place when the eye moves.
-  let uv = material_uv(BED_PATCH_LAYER, at);
-  let bend = 2.5 * textureSampleLevel(noise_map, noise_sampler, uv, 4.0).b;
-  let phase = 2.0 * ATM_PI * (dot(uv, BED_RIPPLES_PER_TILE) + bend);
-  let shown = exp(-pow(1.6 * size / BED_RIPPLE_WAVELENGTH_M, 2.0));
-  let ripple = 0.10 * shown * (sin(phase) + 0.25 * sin(2.0 * phase + 0.7));
-  let patches = wide.b - 0.5;
-  let grains = fine.g - 0.5;
-  return material.bed_colour * clamp(1.0 + 0.35 * patches + 0.22 * grains + ripple, 0.3, 1.5);
+// Slope and height of ripples (xy) and noises (zw) of a layer at a position relative to the point below the eye, m, at
+// a mip level.
+fn bed_noise(layer: u32, at: vec2f, lod: f32) -> vec4f {
+  let texel = textureSampleLevel(bed_map, noise_sampler, material_uv(layer, at), max(lod, 0.0));
+  return (texel - 0.5) * BED_RANGE;
+}
+
+// Fractions of the variances of both noises that are left at a mip level, 0 to 1.
+fn bed_variance_left(lod: f32) -> vec2f {
+  return 1.0 / (1.0 + exp2(BED_VARIANCE_STEEPNESS * (vec2f(lod) - BED_HALF_VARIANCE_LOD)));
+}
+
+// Noise of banks and channels, over hundreds and over tens of metres, filtered over texels of `size` metres.
+fn bed_banks(at: vec2f, size: f32) -> vec2f {
+  let wide = max(material_lod(BED_BANK_LAYER, size), BED_BANK_LODS.x);
+  let narrow = max(material_lod(BED_MEADOW_LAYER, size), BED_BANK_LODS.y);
+  return vec2f(bed_noise(BED_BANK_LAYER, at, wide).z, bed_noise(BED_MEADOW_LAYER, at, narrow).z);
+}
+
+// What a pixel shows of the bed.
+struct BedGround {
+  albedo: vec3f,
+  // Slope of its sand ripples along the first side of their tile.
+  slope: f32,
+}
+
+// The ground at a position relative to the point below the eye, m. It is filtered over texels of `size` metres, in two
+// samples `step` before and behind. `banks` is the noise of the banks.
+fn bed_ground(at: vec2f, step: vec2f, size: f32, banks: vec2f) -> BedGround {
+  let lods = vec3f(
+    material_lod(BED_MEADOW_LAYER, size), material_lod(BED_HEAD_LAYER, size), material_lod(BED_RIPPLE_LAYER, size));
+  let bank_left = bed_variance_left(max(material_lod(BED_BANK_LAYER, size), BED_BANK_LODS.x)).x;
+  let meadow_left = bed_variance_left(lods.x);
+  let head_left = bed_variance_left(lods.y);
+  let resolved = vec2f(
+    dot(BED_MEADOW_WEIGHTS * BED_MEADOW_WEIGHTS, vec3f(bank_left, meadow_left.x, head_left.x)),
+    dot(BED_REEF_WEIGHTS * BED_REEF_WEIGHTS, vec3f(bank_left, meadow_left.y, head_left.y)));
+  let sharp = inverseSqrt(max(BED_SOFTNESS * BED_SOFTNESS + 1.0 - resolved, vec2f(1e-3)));
+  let wide = bed_noise(BED_MEADOW_LAYER, at, lods.x).zw;
+  var out: BedGround;
+  var tap = at - step;
+  for (var i = 0; i < 2; i++) {
+    let heads = bed_noise(BED_HEAD_LAYER, tap, lods.y).zw;
+    let fine = bed_noise(BED_RIPPLE_LAYER, tap, lods.z);
+    tap += 2.0 * step;
+    let meadow = foam_normal_cdf(
+      (dot(BED_MEADOW_WEIGHTS, vec3f(banks.x, wide.x, heads.x)) + material.bed_cover_edges.x) * sharp.x);
+    let reef = foam_normal_cdf(
+      (dot(BED_REEF_WEIGHTS, vec3f(-banks.x, wide.y, heads.y)) + material.bed_cover_edges.y) * sharp.y);
+    // Sand is rippled in places.
+    let rippled = saturate(0.65 + 0.3 * heads.x);
+    out.slope += (0.5 * (1.0 - meadow) * (1.0 - reef)) * rippled * fine.x;
+    // Their troughs gather dark grains.
+    let sand = material.bed_colour * max(1.0 + 0.06 * heads.x + 0.035 * fine.z + 0.08 * rippled * fine.y, 0.3);
+    let seagrass = BED_SEAGRASS_ALBEDO * max(1.0 + 0.22 * heads.x + 0.3 * fine.z, 0.2);
+    let coral = BED_REEF_ALBEDO * max(1.0 + 0.3 * heads.y + 0.33 * fine.w, 0.15);
+    out.albedo += 0.5 * mix(mix(sand, seagrass, meadow), coral, reef);
+  }
+  return out;
 }
 
 // Mean slope of the waves that focus light, at an undisplaced position relative to the point below the eye, m. It is
@@ -83,31 +148,57 @@ fn bed_caustic_gain(entry: vec2f, depth_m: f32) -> f32 {
 }
 
 // Radiance inside the water towards the surface where the bed is visible. `deep`: radiance of bottomless water;
-// `place`: surface point (x, z) relative to the eye, m; `ray`: direction down into the water; `blur`: standard
-// deviation of the ray's slope within the pixel.
-fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: f32, blur: f32) -> vec3f {
-  let column = max(frame.depth_m + height, 0.05);
+// `place`: surface point (x, z) relative to the eye, m; `ray`: direction down into the water; `size`: length along the
+// ray and width of the texels that are averaged over the pixel, m; `variance`: covariance (xx, zz, xz) of the slopes
+// within the pixel.
+fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: vec2f, variance: vec3f) -> vec3f {
   let down = max(-ray.y, 0.12);
+  let run = ray.xz / down;
+  // Water over a bank or in a channel; the ray meets it near where it would meet an even bed.
+  let banks = bed_banks(place + run * frame.depth_m, size.x);
+  let column = max(frame.depth_m * max(1.0 + dot(BED_BANKS, banks), 0.4) + height, 0.05);
   let length_m = column / down;
-  let hit = place + ray.xz * length_m;
-  let filtered = size / down + 0.5 * blur * length_m;
+  let hit = place + run * column;
+  // Unresolved slopes turn the ray by `bend` times their angle, which spreads it over the bed, most of all along it.
+  let square = max(1.0 - down * down, 1e-6);
+  let along = ray.xz * inverseSqrt(max(dot(ray.xz, ray.xz), 1e-6));
+  let index = material.relative_index;
+  let incidence = sqrt(max(1.0 - index * index * square, 0.0));
+  let bend = column * max(down - incidence / index, 0.0) / down;
+  let all_along = max(along.x * along.x * variance.x + along.y * along.y * variance.y
+    + 2.0 * along.x * along.y * variance.z, 1e-7);
+  // At grazing view only facets that tilt to the eye are seen, whose slopes vary less. Fitted to Gaussian slopes.
+  let along_variance = all_along * (1.0 - 0.57 * exp(-0.45 * incidence * inverseSqrt(all_along)));
+  let across_variance = max(variance.x + variance.y - all_along, 0.0);
+  let spread = (2.0 * bend) * sqrt(vec2f(along_variance, across_variance)) * vec2f(1.0 / (down * down), 1.0);
+  let filtered = sqrt(size * size + spread * spread);
+  // Two samples cover the longer side, each with texels between its width and half its length.
+  let part = 0.71 * filtered.x;
+  let texel = sqrt(part * max(part, filtered.y));
+  // Before the caustics, which need most registers.
+  let ground = bed_ground(hit, along * (0.354 * filtered.x), texel, banks);
   let k = material.absorption + material.backscatter;
   let beam = water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0));
   let sun_height = max(frame.sun_direction.y, 0.0);
+  let beam_down = max(-beam.y, 0.3);
   var sun = cloud_sun_irradiance() * (sun_height * (1.0 - water_fresnel(sun_height)));
   if WATER_CAUSTICS && frame.sun_direction.y > 0.0 {
-    let entry = hit + beam.xz * (column / min(beam.y, -0.3));
+    let entry = hit - beam.xz * (column / beam_down);
     // Light that is scattered on its way down is not focused.
-    let straight = exp(-0.25 * (material.scattering.g - material.backscatter.g) * column / max(-beam.y, 0.3));
-    let resolved = 1.0 - smoothstep(0.5, 2.0, filtered / material.caustic_filter_m);
+    let straight = exp(-0.25 * (material.scattering.g - material.backscatter.g) * column / beam_down);
+    let resolved = 1.0 - smoothstep(0.5, 2.0, texel / material.caustic_filter_m);
     let sharp = material.caustic_strength * straight * resolved;
     if sharp > 0.01 {
       sun *= mix(1.0, bed_caustic_gain(entry, column), sharp);
     }
   }
-  let sun_down = sun * exp(-k * (column / max(-beam.y, 0.3)));
+  // Sides of the ripples that face the sun are brighter.
+  let axes = material.noise_layers[BED_RIPPLE_LAYER].uv_from_position;
+  let tilt = BED_RIPPLE_TILE_M * dot(beam.xz, vec2f(axes[0].x, axes[1].x));
+  let facing = max(1.0 + ground.slope * tilt / beam_down, 0.0);
+  let sun_down = sun * facing * exp(-k * (column / beam_down));
   let sky_down = light.sky_irradiance * (WATER_SKYLIGHT_TRANSMITTANCE * exp(-1.2 * k * column));
   let up = exp(-k * length_m);
-  let sand = (sun_down + sky_down) * bed_albedo(hit, filtered) / ATM_PI;
-  return sand * up + deep * (1.0 - up * exp(-1.1 * k * column));
+  let lit = (sun_down + sky_down) * ground.albedo / ATM_PI;
+  return lit * up + deep * (1.0 - up * exp(-1.1 * k * column));
 }

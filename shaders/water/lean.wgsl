@@ -201,8 +201,8 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
   let ray = water_refract(-v, n);
   var below = water_deep_radiance(n, ray, foam.plume);
   if WATER_BED {
-    let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
-    below = water_bed_radiance(below, point.position.xz, point.height, ray, exp2(foot.log_texel_m), blur);
+    let size = WATER_TAP_TEXEL_RATIO * vec2f(long_m, frame.pixel_angle * distance_m);
+    below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
   below += lean_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.plume);
   let spread = material.inverse_relative_index * material.inverse_relative_index;

@@ -71,8 +71,8 @@ const WATER_SPLINE_COPY_WEIGHT = 0.5;
 // Whether gusts and slicks are compiled in.
 override WATER_GUSTS: bool = false;
 // Noise layers of gusts, which the wind carries along, and of slicks, which drift slowly.
-const WATER_GUST_LAYER = 6u;
-const WATER_SLICK_LAYER = 7u;
+const WATER_GUST_LAYER = 8u;
+const WATER_SLICK_LAYER = 9u;
 // Standard deviation of the short waves' slope variance, relative to its mean, by gusts and by slicks.
 const WATER_GUST_DEVIATION = 0.38;
 const WATER_SLICK_DEVIATION = 0.23;

@@ -86,8 +86,8 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   let ray = water_refract(-v, n);
   var below = water_deep_radiance(n, ray, foam.plume);
   if WATER_BED {
-    let blur = 0.25 * sqrt(slope.variance.x + slope.variance.y);
-    below = water_bed_radiance(below, point.position.xz, point.height, ray, exp2(foot.log_texel_m), blur);
+    let size = WATER_TAP_TEXEL_RATIO * vec2f(foot.length_m, foot.width_m);
+    below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
   if material.crest_transmission > 0.0 {
     below += water_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.plume);

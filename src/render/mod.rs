@@ -18,6 +18,7 @@ pub use frame::FrameUniform;
 pub use reference::{ReferenceRenderer, SampleGrid};
 pub use scene::{FadingSea, Scene, SeaAppearance};
 pub use targets::OutputKind;
+pub use water::bed::BedTexture;
 pub use water::material::MaterialUniform;
 
 use crate::gpu::Gpu;
@@ -91,6 +92,7 @@ pub enum TimedPart {
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
+    bed: BedTexture,
     sky: SkyTables,
     noise: NoiseTexture,
     eye: EyePass,
@@ -114,7 +116,8 @@ impl Renderer {
         let material = Uniform::new(gpu, "material");
         let noise = NoiseTexture::new(gpu);
         let sky = SkyTables::new(gpu, &shaders, &noise);
-        let scene = SceneGroup::new(gpu, &frame, &material, &sky, &noise, output);
+        let bed = BedTexture::new(gpu);
+        let scene = SceneGroup::new(gpu, &frame, &material, &sky, (&noise, &bed), output);
         let background = BackgroundPass::new(gpu, &shaders);
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
@@ -127,6 +130,7 @@ impl Renderer {
         Self {
             frame,
             material,
+            bed,
             sky,
             noise,
             eye,
@@ -185,6 +189,9 @@ impl Renderer {
         self.frame.write(gpu, frame);
         if let Some(targets) = &self.targets {
             self.sky.prepare_clouds(gpu, scene, targets.size[0], &self.noise);
+        }
+        if water::material::is_bed_visible(scene) {
+            self.bed.fill_once(gpu);
         }
         self.water.select_pipeline(gpu, scene);
         self.background.select_pipeline(gpu, &self.water.scene, &self.sky, scene);

@@ -5,6 +5,7 @@ use super::sky::clouds::CloudView;
 use super::sky::tables::SkyTables;
 use super::sky::uniform::{LightBuffer, SkyUniform};
 use super::targets::OutputKind;
+use super::water::bed::BedTexture;
 use super::water::material::MaterialUniform;
 use super::water::noise::NoiseTexture;
 use crate::gpu::Gpu;
@@ -12,7 +13,7 @@ use crate::gpu::kit::BindingType;
 use crate::gpu::uniform::Uniform;
 use wgpu::BindingResource::{Sampler, TextureView};
 
-/// Bind group with the uniform buffers of frame, sky, light and material, and with the sky and noise textures.
+/// Bind group with the uniform buffers of frame, sky, light and material, and with the textures of sky, noise and bed.
 pub struct SceneGroup {
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
@@ -27,7 +28,7 @@ impl SceneGroup {
         frame: &Uniform<FrameUniform>,
         material: &Uniform<MaterialUniform>,
         sky: &SkyTables,
-        noise: &NoiseTexture,
+        (noise, bed): (&NoiseTexture, &BedTexture),
         output: OutputKind,
     ) -> Self {
         let bindings = [
@@ -43,6 +44,7 @@ impl SceneGroup {
             BindingType::Uniform(size_of::<MaterialUniform>()),
             BindingType::Texture3d,
             BindingType::Uniform(size_of::<CloudView>()),
+            BindingType::Texture,
             BindingType::Texture,
         ];
         let layout = gpu.bind_group_layout("scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &bindings);
@@ -60,6 +62,7 @@ impl SceneGroup {
             TextureView(&sky.mirrored),
             sky.clouds.view.buffer.as_entire_binding(),
             TextureView(&sky.clouds.shadow),
+            TextureView(&bed.view),
         ];
         Self { group: gpu.bind_group("scene", &layout, &resources), layout, output }
     }

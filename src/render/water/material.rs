@@ -1,5 +1,6 @@
 //! Uniform buffer with the optical properties of water, foam and bed, from the look, the sea and the eye's position.
 
+use super::bed::normal_quantile;
 use super::noise::NOISE_SIDE;
 use crate::gpu::layout::gpu_struct;
 use crate::optics::water::WaterOptics;
@@ -8,9 +9,9 @@ use crate::state::fields::linear_rgb;
 use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
-/// Number of noise layers, each the noise texture at its own size and angle: four for foam, two for the bed, and two for
-/// the roughness of the water.
-const NOISE_LAYERS: usize = 8;
+/// Number of noise layers, each a periodic texture at its own size and angle: four for foam, four of the
+/// bed's texture, and two for the roughness of the water.
+const NOISE_LAYERS: usize = 10;
 /// Shape of a noise layer.
 #[derive(Clone, Copy)]
 struct LayerShape {
@@ -33,7 +34,7 @@ impl LayerShape {
         Self { along_m, across_m, turn_deg, longer, weight, gale_weight, speed: 0.0 }
     }
 
-    const fn sand(side_m: f64, turn_deg: f64) -> Self {
+    const fn bed(side_m: f64, turn_deg: f64) -> Self {
         Self::foam([side_m, side_m, turn_deg, 0.0], [0.0; 2])
     }
 
@@ -42,8 +43,8 @@ impl LayerShape {
     }
 }
 
-/// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), two of sand (patches with ripple
-/// marks, grains), gusts and slicks. Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows
+/// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), four of the bed (banks and
+/// channels, meadows, coral heads, ripples of the sand), gusts and slicks. Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows
 /// gather old foam between the rolls of the Langmuir circulation, 10 to 100 m apart, in winds above 8 m/s. Foam
 /// moves with the water that it lies on, gusts are carried by the air, and slicks by the surface current.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
@@ -51,9 +52,11 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.85, 0.0]),
     LayerShape::foam([10.7, 10.7, -9.0, 1.6], [1.05, 0.0]),
     LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.5, 0.0]),
-    // The ripple marks of the sand have 38.6 periods per tile (shaders/water/bed.wgsl).
-    LayerShape::sand(12.35, 63.0),
-    LayerShape::sand(0.97, 11.0),
+    // The smallest tile of the bed holds 38 ripples. Their crests lie across the waves, which follow the wind.
+    LayerShape::bed(1130.0, 63.0),
+    LayerShape::bed(310.0, 29.0),
+    LayerShape::bed(43.7, 101.0),
+    LayerShape::bed(15.1, -14.0),
     LayerShape::roughness([910.0, 620.0, 4.0, 0.5], 0.7),
     LayerShape::roughness([260.0, 149.0, -7.0, 2.0], 0.03),
 ];
@@ -61,6 +64,11 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
 const GLINT_MOMENT_S: f64 = 0.06;
 /// Fraction of light that must remain after the way straight down to the bed and back, or else the bed is not drawn.
 const MIN_BED_TRANSMITTANCE: f64 = 1e-3;
+/// Share of reefs in what covers the bed; the rest is seagrass.
+const REEF_SHARE: f64 = 0.3;
+/// Widths of the edges of meadows and reefs, standard deviations of their noise, as in shaders/water/bed.wgsl.
+const MEADOW_SOFTNESS: f64 = 0.3;
+const REEF_SOFTNESS: f64 = 0.14;
 
 gpu_struct! {
     /// WGSL `NoiseLayer`: transformation from positions on the water to texture coordinates of one noise layer.
@@ -164,7 +172,8 @@ gpu_struct! {
         gust_strength: f32,
         /// Number of the moment, of some hundredths of a second, for which the sun's glints stay where they are.
         glint_moment: u32,
-        unused: [f32; 2],
+        /// Normal noise above minus this is a meadow of seagrass (x) or a reef (y) on the bed.
+        bed_cover_edges: [f32; 2],
     }
 }
 
@@ -225,9 +234,21 @@ impl MaterialUniform {
             index_contrast: [contrast, if contrast == 0.0 { 0.0 } else { contrast.recip() }].map(|x| x as f32),
             gust_strength: reflection.gusts as f32,
             glint_moment: (scene.t_s / GLINT_MOMENT_S).floor().rem_euclid(f64::from(u32::MAX)) as u32,
-            unused: [0.0; 2],
+            bed_cover_edges: bed_cover_edges(bed.cover),
         }
     }
+}
+
+/// Thresholds of the noises of seagrass and reef that cover the share `cover` of the bed: reefs three tenths of it, and
+/// seagrass the rest, between the reefs.
+fn bed_cover_edges(cover: f64) -> [f32; 2] {
+    let reef = REEF_SHARE * cover;
+    let meadow = (cover - reef) / (1.0 - reef);
+    // Soft edges shift the threshold that keeps the mean (shaders/water/bed.wgsl).
+    [(meadow, MEADOW_SOFTNESS), (reef, REEF_SOFTNESS)].map(|(share, soft)| {
+        let edge = if share <= 0.0 { -9.0 } else { normal_quantile(share) };
+        (edge * (1.0 + soft * soft).sqrt()) as f32
+    })
 }
 
 /// Absorption and scattering of the water that the settings `scattering` select: a water type, or water of a colour.

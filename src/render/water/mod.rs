@@ -1,5 +1,6 @@
 //! The water: mesh, material and lighting; the eye's height above waves; floating objects.
 
+pub mod bed;
 pub mod displace;
 pub mod eye;
 pub mod hulls;

@@ -147,7 +147,7 @@ fn normal_quantile(share: f32) -> f32 {
 
 /// Rank of each value among all values, 0 (lowest) to 1, so that the results are spread evenly. Ranks come from a
 /// histogram of 65536 bins; values in the same bin get the same rank.
-fn ranks_of_values(values: &[f32]) -> Vec<f32> {
+pub(super) fn ranks_of_values(values: &[f32]) -> Vec<f32> {
     const BINS: usize = 1 << 16;
     let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
     let scale = (BINS - 1) as f32 / (high - low).max(f32::MIN_POSITIVE);
@@ -165,7 +165,8 @@ fn ranks_of_values(values: &[f32]) -> Vec<f32> {
     values.iter().map(|&v| ranks[bin(v)]).collect()
 }
 
-fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
+/// The next coarser mip level of a level of `side` x `side` texels.
+pub(super) fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
     let half = side / 2;
     let at = |x: usize, y: usize, c: usize| level[y * side + x][c];
     (0..half * half)
@@ -177,7 +178,7 @@ fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
 }
 
 /// A periodic lattice of square cells with three random numbers per cell, for Worley or Perlin noise.
-struct NoiseLattice {
+pub(super) struct NoiseLattice {
     period: i32,
     /// The numbers of each cell, row by row: for Worley noise the place of a point in the cell, 0 to 1, and the factor on
     /// squared distances from it; for Perlin noise a unit vector at its corner of lowest x and y. Copies of the cells at
@@ -189,12 +190,12 @@ impl NoiseLattice {
     /// A lattice of `period` x `period` cells with a random point in each, for Worley noise. `key` is the random seed.
     /// Distances from the points are longer or shorter by up to the factor e^`variety`, so that the regions differ in
     /// size, and have round borders.
-    fn feature_points(period: i32, key: u32, variety: f32) -> Self {
+    pub(super) fn feature_points(period: i32, key: u32, variety: f32) -> Self {
         Self::new(period, key, |[a, b, c]| [a, b, (variety * (4.0 * c - 2.0)).exp()])
     }
 
     /// A lattice of `period` x `period` corners with a random unit vector at each, for Perlin noise. `key` is a seed.
-    fn gradients(period: i32, key: u32) -> Self {
+    pub(super) fn gradients(period: i32, key: u32) -> Self {
         Self::new(period, key, |[a, ..]| {
             let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
             [cos, sin, 0.0]
@@ -248,13 +249,13 @@ impl NoiseLattice {
     }
 
     /// Worley noise, 0 to 1, at (x, y) in a tile of side 1: 1 on the borders between the points' regions, less inside.
-    fn ridge_noise(&self, x: f32, y: f32) -> f32 {
+    pub(super) fn ridge_noise(&self, x: f32, y: f32) -> f32 {
         let [first, second] = self.squared_distances(x, y).map(f32::sqrt);
         1.0 - (second - first).min(1.0).sqrt()
     }
 
     /// Perlin noise, about -0.7 to 0.7, at (x, y) in a periodic tile of side 1.
-    fn perlin_noise(&self, x: f32, y: f32) -> f32 {
+    pub(super) fn perlin_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [fx, fy]) = self.locate_cell(x, y);
         let corner = |dx: usize, dy: usize| {
             let [cos, sin, _] = self.cells[before + (dy + 1) * self.stored_row_length() + dx + 1];
