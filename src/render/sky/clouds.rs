@@ -1,6 +1,7 @@
-//! Volumetric clouds: a dome around the eye that is filled by ray marching (shaders/sky/cloud_dome.wgsl), and the shadows
-//! of the clouds on the sea (shaders/sky/cloud_shadow.wgsl). A still gets a complete dome. In a running sea, a second
-//! dome is filled by a few rows a frame, which takes about a second; the picture fades to it while the next is filled.
+//! Volumetric clouds: a dome around the eye that is filled by ray marching (shaders/sky/cloud_dome.wgsl), and the
+//! shadows of the clouds on the sea (shaders/sky/cloud_shadow.wgsl). A still gets a complete dome. In a running sea, a
+//! second dome is filled by a few rows a frame, which takes about a second; the picture fades to it while the next is
+//! filled.
 
 pub use super::cloud_field::CloudField;
 use super::cloud_field::Clouds;
