@@ -37,8 +37,8 @@ fn dome_phase(c: f32) -> vec3f {
   return out * DOME_OCTAVE_WEIGHT;
 }
 
-// Optical depth from p towards the sun: samples at growing distances, the first ones with the share `detail` of the fine
-// noise. `first_km` is the length of the first step.
+// Optical depth from p towards the sun: samples at growing distances, the first ones with the share `detail` of the
+// fine noise. `first_km` is the length of the first step.
 fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, detail: f32) -> f32 {
   var depth = 0.0;
   var step_km = first_km;

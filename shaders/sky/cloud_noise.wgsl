@@ -1,5 +1,5 @@
-// Fills the repeating 3D noise of the clouds: billows, like heads of cauliflower (red), finer billows (green), and smooth
-// wisps (blue). Values lie in 0 to 1.
+// Fills the repeating 3D noise of the clouds: billows, like heads of cauliflower (red), finer billows (green), and
+// smooth wisps (blue). Values lie in 0 to 1.
 
 @group(0) @binding(0) var noise_out: texture_storage_3d<rgba8unorm, write>;
 

@@ -1,5 +1,5 @@
-// Fills the repeating map of the sunlight that passes through the clouds, by the point where a ray towards the sun meets
-// the height of their base.
+// Fills the repeating map of the sunlight that passes through the clouds, by the point where a ray towards the sun
+// meets the height of their base.
 
 @group(0) @binding(0) var<uniform> cloud_field: CloudField;
 @group(0) @binding(1) var<uniform> sky: Sky;

@@ -1,5 +1,5 @@
-// Sunlight on the sea between and below volumetric clouds. Needs the module variables clouds, light, cloud_shadow_map and
-// noise_sampler.
+// Sunlight on the sea between and below volumetric clouds. Needs the module variables clouds, light, cloud_shadow_map
+// and noise_sampler.
 
 // Whether the shadows of clouds are compiled in.
 override SKY_CLOUD_SHADOWS = false;

@@ -1,6 +1,6 @@
-// Fills the repeating map of the clouds' height above their base, as a fraction of the layer's thickness: positive where
-// there is cloud, and falling below 0 away from it (red); of the steepness of that height, 1/tile (green); and of
-// shifts of the noise in two directions, in sides of the noise (blue and alpha).
+// Fills the repeating map of the clouds' height above their base, as a fraction of the layer's thickness: positive
+// where there is cloud, and falling below 0 away from it (red); of the steepness of that height, 1/tile (green); and
+// of shifts of the noise in two directions, in sides of the noise (blue and alpha).
 
 @group(0) @binding(0) var<uniform> cloud_field: CloudField;
 @group(0) @binding(1) var weather_out: texture_storage_2d<rgba16float, write>;

@@ -1,25 +1,22 @@
-//! Volumetric clouds: a dome around the eye that is filled by ray marching (shaders/sky/cloud_dome.wgsl), and the shadows
-//! of the clouds on the sea (shaders/sky/cloud_shadow.wgsl). A still gets a complete dome. In a running sea, a second
-//! dome is filled by a few rows a frame, which takes about a second; the picture fades to it while the next is filled.
+//! Volumetric clouds: a dome around the eye that is filled by ray marching (shaders/sky/cloud_dome.wgsl), and the
+//! shadows of the clouds on the sea (shaders/sky/cloud_shadow.wgsl). A still gets a complete dome. In a running sea, a
+//! second dome is filled by a few rows a frame, which takes about a second; the picture fades to it while the next is
+//! filled.
 
 pub use super::cloud_field::CloudField;
 use super::cloud_field::Clouds;
-use super::table_pass::{TablePass, workgroups};
-use super::uniform::{LightBuffer, SkyUniform};
+use super::cloud_passes::{CloudMaps, CloudPasses, MAP_SIDE, SharedTables};
+use super::table_pass::workgroups;
+use super::uniform::SkyUniform;
 use crate::gpu::Gpu;
-use crate::gpu::kit::{BindingType, mip_view};
+use crate::gpu::kit::BindingType;
 use crate::gpu::layout::gpu_struct;
 use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::scene::Scene;
 use crate::shaders::Shaders;
-use wgpu::BindingResource::{Sampler, TextureView};
+use wgpu::BindingResource::TextureView;
 
-/// Side of the maps of weather and shadow, texels.
-const MAP_SIDE: u32 = 256;
-/// Side of the 3D noise, texels, for domes with fewer columns than [`FINE_NOISE_COLUMNS`] and for others.
-const NOISE_SIDES: [u32; 2] = [64, 128];
-const FINE_NOISE_COLUMNS: u32 = 2048;
 /// Columns of the dome for each pixel of the picture's width, and the fewest and the most columns.
 const COLUMNS_PER_PIXEL: f64 = 2.4;
 const COLUMN_RANGE: [u32; 2] = [512, 4096];
@@ -73,25 +70,6 @@ struct Surroundings {
     columns: u32,
 }
 
-/// Passes that compute clouds; compiled for the first picture that has any.
-struct Passes {
-    noise: TablePass,
-    weather: TablePass,
-    shadow: TablePass,
-    shadow_mips: Vec<TablePass>,
-    dome: TablePass,
-    has_noise: bool,
-}
-
-/// Textures that the passes of the sky share with the clouds.
-pub struct SharedTables<'a> {
-    pub sky: &'a wgpu::Buffer,
-    pub light: &'a wgpu::Buffer,
-    pub sky_view: &'a wgpu::TextureView,
-    pub transmittance: &'a wgpu::TextureView,
-    pub sampler: &'a wgpu::Sampler,
-}
-
 /// Volumetric clouds: their dome and their shadows.
 pub struct CloudPass {
     shaders: Shaders,
@@ -106,7 +84,7 @@ pub struct CloudPass {
     /// Bind group of the dome, for the pass that draws the sky.
     pub group: wgpu::BindGroup,
     columns: u32,
-    passes: Option<Passes>,
+    passes: Option<CloudPasses>,
     /// The field for which the maps of weather and shadow were made, with the direction of the sun.
     maps_made_for: Option<(CloudField, [f32; 3])>,
     dome_made_for: Option<Surroundings>,
@@ -177,107 +155,10 @@ impl CloudPass {
         let format = self.shaders.map_format(gpu).texture_format();
         self.dome = array_view(&dome_texture(gpu, format, [columns, self.rows(), DOME_LAYERS]));
         self.group = gpu.bind_group("sky/cloud dome", &self.layout, &[TextureView(&self.dome)]);
-        self.passes = Some(self.create_passes(gpu, tables));
+        let maps = CloudMaps { field: &self.field.buffer, shadow: &self.shadow_texture, dome: &self.dome };
+        self.passes = Some(CloudPasses::new(gpu, &self.shaders, tables, &maps, [columns, self.rows()]));
         (self.maps_made_for, self.dome_made_for, self.shown, self.filling) = (None, None, None, None);
         true
-    }
-
-    fn create_passes(&self, gpu: &Gpu, tables: &SharedTables<'_>) -> Passes {
-        let format = self.shaders.map_format(gpu).texture_format();
-        let image = BindingType::StorageTexture(format);
-        let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
-        let side = NOISE_SIDES[usize::from(self.columns >= FINE_NOISE_COLUMNS)];
-        let noise_format = wgpu::TextureFormat::Rgba8Unorm;
-        let noise = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("sky/cloud noise"),
-            size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: side },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D3,
-            format: noise_format,
-            usage,
-            view_formats: &[],
-        });
-        let noise = noise.create_view(&wgpu::TextureViewDescriptor::default());
-        let weather = gpu.texture("sky/cloud weather", [MAP_SIDE, MAP_SIDE, 1], 1, format, usage);
-        let weather = weather.create_view(&wgpu::TextureViewDescriptor::default());
-        let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("clouds"),
-            address_mode_u: wgpu::AddressMode::Repeat,
-            address_mode_v: wgpu::AddressMode::Repeat,
-            address_mode_w: wgpu::AddressMode::Repeat,
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
-        let module = |name| self.shaders.module(gpu, name);
-        let field = (BindingType::Uniform(size_of::<CloudField>()), self.field.buffer.as_entire_binding());
-        let sky = (BindingType::Uniform(size_of::<SkyUniform>()), tables.sky.as_entire_binding());
-        let weather_map = (BindingType::Texture, TextureView(&weather));
-        let noise_map = (BindingType::Texture3d, TextureView(&noise));
-        let repeat = (BindingType::Sampler, Sampler(&sampler));
-        let map_groups = workgroups([MAP_SIDE; 2]);
-        let base = mip_view(&self.shadow_texture, 0);
-        let mut shadow_mips: Vec<TablePass> = Vec::new();
-        for level in 1..=MAP_SIDE.ilog2() {
-            let [from, to] = [level - 1, level].map(|i| mip_view(&self.shadow_texture, i));
-            let bindings = [(BindingType::Texture, TextureView(&from)), (image, TextureView(&to))];
-            let groups = workgroups([MAP_SIDE >> level; 2]);
-            shadow_mips.push(match shadow_mips.first() {
-                Some(first) => first.with_resources(gpu, &bindings.map(|b| b.1), groups),
-                None => TablePass::new(gpu, "sky/filter", (&module("sky/filter"), "main"), &bindings, groups),
-            });
-        }
-        Passes {
-            noise: TablePass::new(
-                gpu,
-                "sky/cloud noise",
-                (&module("sky/cloud_noise"), "main"),
-                &[(BindingType::StorageTexture3d(noise_format), TextureView(&noise))],
-                [side / 4; 3],
-            ),
-            weather: TablePass::new(
-                gpu,
-                "sky/cloud weather",
-                (&module("sky/cloud_weather"), "main"),
-                &[field.clone(), (image, TextureView(&weather))],
-                map_groups,
-            ),
-            shadow: TablePass::new(
-                gpu,
-                "sky/cloud shadow",
-                (&module("sky/cloud_shadow"), "main"),
-                &[
-                    field.clone(),
-                    sky.clone(),
-                    weather_map.clone(),
-                    noise_map.clone(),
-                    repeat.clone(),
-                    (image, TextureView(&base)),
-                ],
-                map_groups,
-            ),
-            shadow_mips,
-            dome: TablePass::new(
-                gpu,
-                "sky/cloud dome",
-                (&module("sky/cloud_dome"), "main"),
-                &[
-                    field,
-                    sky,
-                    (BindingType::StorageRead(size_of::<LightBuffer>()), tables.light.as_entire_binding()),
-                    (BindingType::Texture, TextureView(tables.sky_view)),
-                    (BindingType::Texture, TextureView(tables.transmittance)),
-                    (BindingType::Sampler, Sampler(tables.sampler)),
-                    weather_map,
-                    noise_map,
-                    repeat,
-                    (BindingType::StorageTextureArray(format), TextureView(&self.dome)),
-                ],
-                workgroups([self.columns, self.rows()]),
-            ),
-            has_noise: false,
-        }
     }
 
     /// Records the maps of weather and shadow if they do not match the clouds and the sun. Returns whether it did.

@@ -2,6 +2,7 @@
 
 pub mod background;
 mod cloud_field;
+mod cloud_passes;
 pub mod clouds;
 pub mod panorama;
 mod table_pass;

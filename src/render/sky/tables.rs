@@ -3,7 +3,8 @@
 //! recomputed only if the light changes.
 
 use super::cloud_field::Clouds;
-use super::clouds::{CloudPass, CloudView, SharedTables};
+use super::cloud_passes::SharedTables;
+use super::clouds::{CloudPass, CloudView};
 use super::panorama::PanoramaTextures;
 use super::table_pass::{TablePass, workgroups};
 use super::uniform::{LightBuffer, SkyUniform};

@@ -170,8 +170,8 @@ gpu_struct! {
         pub adaptation_luminance: f32,
         /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of a closed cloud deck at the zenith.
         pub overcast_zenith_radiance: [f32; 3],
-        /// Mean fraction of the direct sunlight, after the veil of `overcast`, that passes between the volumetric clouds,
-        /// 0 to 1; `sun_irradiance` is that between the clouds.
+        /// Mean fraction of the direct sunlight, after the veil of `overcast`, that passes between the volumetric
+        /// clouds, 0 to 1; `sun_irradiance` is that between the clouds.
         pub cloud_sun_transmittance: f32,
         /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of dense fog lit by the sky, equal in all directions.
         pub fog_sky_radiance: [f32; 3],
@@ -179,7 +179,8 @@ gpu_struct! {
         /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun at half the fog's height, on a plane facing it.
         pub fog_sun_irradiance: [f32; 3],
         unused_1: u32,
-        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky behind the volumetric clouds.
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky behind the volumetric
+        /// clouds.
         pub clear_sky_irradiance: [f32; 3],
         unused_2: u32,
     }

@@ -1,0 +1,146 @@
+//! Compute passes of the volumetric clouds: noise, weather, shadow and dome.
+
+use super::cloud_field::CloudField;
+use super::table_pass::{TablePass, workgroups};
+use super::uniform::{LightBuffer, SkyUniform};
+use crate::gpu::Gpu;
+use crate::gpu::kit::{BindingType, mip_view};
+use crate::shaders::Shaders;
+use wgpu::BindingResource::{Sampler, TextureView};
+
+/// Side of the maps of weather and shadow, texels.
+pub const MAP_SIDE: u32 = 256;
+/// Side of the 3D noise, texels, for domes with fewer columns than [`FINE_NOISE_COLUMNS`] and for others.
+const NOISE_SIDES: [u32; 2] = [64, 128];
+const FINE_NOISE_COLUMNS: u32 = 2048;
+const NOISE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+const USAGE: wgpu::TextureUsages = wgpu::TextureUsages::TEXTURE_BINDING.union(wgpu::TextureUsages::STORAGE_BINDING);
+
+/// Tables of the sky that the passes of the clouds read.
+pub struct SharedTables<'a> {
+    pub sky: &'a wgpu::Buffer,
+    pub light: &'a wgpu::Buffer,
+    pub sky_view: &'a wgpu::TextureView,
+    pub transmittance: &'a wgpu::TextureView,
+    pub sampler: &'a wgpu::Sampler,
+}
+
+/// Uniform of the clouds, and the textures that their passes fill for the picture.
+pub struct CloudMaps<'a> {
+    pub field: &'a wgpu::Buffer,
+    pub shadow: &'a wgpu::Texture,
+    pub dome: &'a wgpu::TextureView,
+}
+
+/// Passes that compute clouds; compiled for the first picture that has any.
+pub struct CloudPasses {
+    pub noise: TablePass,
+    pub weather: TablePass,
+    pub shadow: TablePass,
+    pub shadow_mips: Vec<TablePass>,
+    pub dome: TablePass,
+    /// Whether the noise has been computed.
+    pub has_noise: bool,
+}
+
+fn noise_texture(gpu: &Gpu, side: u32) -> wgpu::TextureView {
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("sky/cloud noise"),
+        size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: side },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D3,
+        format: NOISE_FORMAT,
+        usage: USAGE,
+        view_formats: &[],
+    });
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+fn repeating_sampler(gpu: &Gpu) -> wgpu::Sampler {
+    gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("clouds"),
+        address_mode_u: wgpu::AddressMode::Repeat,
+        address_mode_v: wgpu::AddressMode::Repeat,
+        address_mode_w: wgpu::AddressMode::Repeat,
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        ..Default::default()
+    })
+}
+
+/// Passes that compute the mip levels of the map of shadows.
+fn mip_passes(gpu: &Gpu, shaders: &Shaders, map: &wgpu::Texture) -> Vec<TablePass> {
+    let module = shaders.module(gpu, "sky/filter");
+    let mut passes: Vec<TablePass> = Vec::new();
+    for level in 1..map.mip_level_count() {
+        let [from, to] = [level - 1, level].map(|i| mip_view(map, i));
+        let image = BindingType::StorageTexture(map.format());
+        let bindings = [(BindingType::Texture, TextureView(&from)), (image, TextureView(&to))];
+        let groups = workgroups([map.width() >> level, map.height() >> level]);
+        passes.push(match passes.first() {
+            Some(first) => first.with_resources(gpu, &bindings.map(|(_, resource)| resource), groups),
+            None => TablePass::new(gpu, "sky/filter", (&module, "main"), &bindings, groups),
+        });
+    }
+    passes
+}
+
+impl CloudPasses {
+    /// Compiles the passes, for a dome of the given size (columns, rows).
+    pub fn new(
+        gpu: &Gpu,
+        shaders: &Shaders,
+        tables: &SharedTables<'_>,
+        maps: &CloudMaps<'_>,
+        dome_size: [u32; 2],
+    ) -> Self {
+        let format = shaders.map_format(gpu).texture_format();
+        let image = BindingType::StorageTexture(format);
+        let side = NOISE_SIDES[usize::from(dome_size[0] >= FINE_NOISE_COLUMNS)];
+        let noise = noise_texture(gpu, side);
+        let weather = gpu.texture("sky/cloud weather", [MAP_SIDE, MAP_SIDE, 1], 1, format, USAGE);
+        let weather = weather.create_view(&wgpu::TextureViewDescriptor::default());
+        let sampler = repeating_sampler(gpu);
+        let shadow = mip_view(maps.shadow, 0);
+        let field = (BindingType::Uniform(size_of::<CloudField>()), maps.field.as_entire_binding());
+        let sky = (BindingType::Uniform(size_of::<SkyUniform>()), tables.sky.as_entire_binding());
+        let light = (BindingType::StorageRead(size_of::<LightBuffer>()), tables.light.as_entire_binding());
+        let weather_map = (BindingType::Texture, TextureView(&weather));
+        let noise_map = (BindingType::Texture3d, TextureView(&noise));
+        let repeat = (BindingType::Sampler, Sampler(&sampler));
+        let pass = |name, bindings: &[(BindingType, wgpu::BindingResource<'_>)], groups| {
+            TablePass::new(gpu, name, (&shaders.module(gpu, name), "main"), bindings, groups)
+        };
+        let weather_bindings = [field.clone(), (image, TextureView(&weather))];
+        let shadow_bindings = [
+            field.clone(),
+            sky.clone(),
+            weather_map.clone(),
+            noise_map.clone(),
+            repeat.clone(),
+            (image, TextureView(&shadow)),
+        ];
+        let dome_bindings = [
+            field,
+            sky,
+            light,
+            (BindingType::Texture, TextureView(tables.sky_view)),
+            (BindingType::Texture, TextureView(tables.transmittance)),
+            (BindingType::Sampler, Sampler(tables.sampler)),
+            weather_map,
+            noise_map,
+            repeat,
+            (BindingType::StorageTextureArray(format), TextureView(maps.dome)),
+        ];
+        let noise_bindings = [(BindingType::StorageTexture3d(NOISE_FORMAT), TextureView(&noise))];
+        Self {
+            noise: pass("sky/cloud_noise", &noise_bindings, [side / 4; 3]),
+            weather: pass("sky/cloud_weather", &weather_bindings, workgroups([MAP_SIDE; 2])),
+            shadow: pass("sky/cloud_shadow", &shadow_bindings, workgroups([MAP_SIDE; 2])),
+            shadow_mips: mip_passes(gpu, shaders, maps.shadow),
+            dome: pass("sky/cloud_dome", &dome_bindings, workgroups(dome_size)),
+            has_noise: false,
+        }
+    }
+}
