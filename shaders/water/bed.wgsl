@@ -186,7 +186,7 @@ fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: 
     let entry = hit - beam.xz * (column / beam_down);
     // Light that is scattered on its way down is not focused.
     let straight = exp(-0.25 * (material.scattering.g - material.backscatter.g) * column / beam_down);
-    let resolved = 1.0 - smoothstep(0.5, 2.0, texel / material.caustic_filter_m);
+    let resolved = 1.0 - smoothstep(0.8, 3.0, texel / material.caustic_filter_m);
     let sharp = material.caustic_strength * straight * resolved;
     if sharp > 0.01 {
       sun *= mix(1.0, bed_caustic_gain(entry, column), sharp);
