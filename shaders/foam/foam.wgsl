@@ -62,8 +62,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let source = saturate((foam.levels[level].jacobian_threshold - j) * foam.levels[level].source_slope);
 
   let at = 3u * ((level * foam.cells_per_side + id.y) * foam.cells_per_side + id.x);
-  let old = select(
-    vec3f(foam.levels[level].initial_foam), vec3f(history[at], history[at + 1u], history[at + 2u]), known);
+  let initial = foam.levels[level].initial_foam * vec3f(1.0, foam.initial_front_ratio, foam.initial_plume_ratio);
+  let old = select(initial, vec3f(history[at], history[at + 1u], history[at + 2u]), known);
   let growth = source * vec3f(foam.growth_per_s, foam.front_growth_per_s, foam.growth_per_s);
   let loss = growth + vec3f(foam.decay_per_s, foam.front_decay_per_s, foam.plume_decay_per_s);
   let goal = growth / loss;

@@ -37,7 +37,7 @@ const FOAM_FRONT_SHARES = vec2f(0.27, 0.13);
 // Reciprocal of the width of a front, 1/m.
 const FOAM_INVERSE_FRONT_WIDTH = 0.07;
 // Mean of the plume relative to that of the foam.
-const FOAM_MEAN_PLUME_RATIO = 1.9;
+const FOAM_MEAN_PLUME_RATIO = 1.4;
 // Amount of foam, 0 to 1, below which none is drawn.
 const FOAM_MIN_AMOUNT = 0.002;
 // Sum of the resolved fractions of the variance of patches and strands, below which one sample of them is enough.

@@ -13,7 +13,10 @@ use crate::sim::resources::{MapKind, Resources};
 use crate::sim::transform::FftImplementation;
 use crate::state::Params;
 use crate::waves::Plan;
-use crate::waves::foam::{FRONT_DECAY_RATIO, FRONT_GROWTH_RATIO, FoamModel, PLUME_DECAY_RATIO, breaker_texel_m};
+use crate::waves::foam::{
+    FRONT_DECAY_RATIO, FRONT_GROWTH_RATIO, MEAN_FRONT_RATIO, MEAN_PLUME_RATIO, PLUME_DECAY_RATIO,
+};
+use crate::waves::foam::{FoamModel, breaker_texel_m};
 use crate::waves::plan::Cascade;
 use crate::waves::tiling::Tiling;
 use std::fmt;
@@ -251,7 +254,8 @@ impl OracleCheck<'_> {
 async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
-    let mut want = vec![[FoamModel::new(plan).expected_mean_foam; 3]; size * size];
+    let mean = FoamModel::new(plan).expected_mean_foam;
+    let mut want = vec![[1.0, MEAN_FRONT_RATIO, MEAN_PLUME_RATIO].map(|ratio| ratio * mean); size * size];
     let mut got = Vec::new();
     for _ in 0..COMPARED_FOAM_STEPS {
         let mut encoder = gpu.encoder("check");

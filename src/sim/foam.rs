@@ -244,7 +244,9 @@ impl FoamScheduler {
             front_decay_per_s: (1.0 / (FRONT_DECAY_RATIO * self.parameters.decay_s)) as f32,
             plume_decay_per_s: (1.0 / (PLUME_DECAY_RATIO * self.parameters.decay_s)) as f32,
             breaker_texel_m: self.parameters.breaker_texel_m as f32,
-            unused: [0; 3],
+            initial_front_ratio: foam::MEAN_FRONT_RATIO as f32,
+            initial_plume_ratio: foam::MEAN_PLUME_RATIO as f32,
+            unused: 0,
         }
     }
 

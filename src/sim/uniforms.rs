@@ -187,8 +187,12 @@ gpu_struct! {
         pub plume_decay_per_s: f32,
         /// Side of the smallest texels on which the Jacobian is read, m.
         pub breaker_texel_m: f32,
+        /// Front, relative to the foam, in a cell that has just entered its level's area.
+        pub initial_front_ratio: f32,
+        /// Plume, relative to the foam, in such a cell.
+        pub initial_plume_ratio: f32,
         /// Unused; pads the struct to a multiple of 16 bytes.
-        pub unused: [u32; 3],
+        pub unused: u32,
     }
 }
 

@@ -19,7 +19,11 @@ pub const FRONT_GROWTH_RATIO: f64 = 4.0;
 pub const FRONT_DECAY_RATIO: f64 = 0.25;
 /// Decay time of the plume of bubbles below foam, relative to that of the foam: bubbles rise for longer than the film
 /// on the surface lasts (Callaghan and others 2012).
-pub const PLUME_DECAY_RATIO: f64 = 2.5;
+pub const PLUME_DECAY_RATIO: f64 = 1.5;
+/// Mean of the fronts relative to that of all foam, measured in winds of 8 to 26 m/s: a cold start begins there.
+pub const MEAN_FRONT_RATIO: f64 = 0.6;
+/// Mean of the plumes relative to that of all foam, as [`MEAN_FRONT_RATIO`].
+pub const MEAN_PLUME_RATIO: f64 = 1.4;
 
 /// Factor of the fit F / (1 - F) = factor x (growth rate x decay time)^exponent x s, where F is the mean foam and s the
 /// mean foam source, both 0 to 1. The fit was made to GPU results for winds of 7 to 30 m/s, all foam levels, and growth
