@@ -20,7 +20,7 @@ const FOAM_BODY_OPACITY = vec2f(0.5, 0.56);
 const FOAM_OLD_SHIFT = vec2f(0.35, -0.25);
 const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
 // Standard deviation of the height of a front's lumps of decimetres (x) and of centimetres (y), m.
-const FOAM_LUMP_HEIGHT_M = vec2f(0.06, 0.011);
+const FOAM_LUMP_HEIGHT_M = vec2f(0.06, 0.008);
 // Height of the body of a front above the water, m.
 const FOAM_BODY_HEIGHT_M = 0.07;
 // Least distances, m, over which the slopes of both are measured.

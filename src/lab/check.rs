@@ -249,8 +249,7 @@ impl OracleCheck<'_> {
     }
 }
 
-/// Compares the foam coverage of the level [`COMPARED_FOAM_LEVEL`] after [`COMPARED_FOAM_STEPS`] time steps on
-/// the GPU with the oracle's. The oracle reads the GPU's wave maps, so only errors of the foam pass count.
+/// Compares foam after some steps with the oracle's, which reads the GPU's wave maps: only errors of its pass count.
 async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> Result<Comparison, String> {
     let centre = [1234.5, -67.8];
     let size = sim.resources.foam_n as usize;
@@ -269,8 +268,8 @@ async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> 
         // A cell is stored at its index modulo the size of the level.
         let first = corner.map(|o| (o / level.cell_m).round() as i64);
         let stored = |i: usize| {
-            let place = [(i % size) as i64, (i / size) as i64];
-            let at: [usize; 2] = std::array::from_fn(|a| (first[a] + place[a]).rem_euclid(size as i64) as usize);
+            let place = [i % size, i / size];
+            let at = [0, 1].map(|a| (first[a] + place[a] as i64).rem_euclid(size as i64) as usize);
             let [foam, _, front, plume] = texels[COMPARED_FOAM_LEVEL * size * size + at[1] * size + at[0]];
             [foam, front, plume]
         };
@@ -279,8 +278,7 @@ async fn compare_foam(gpu: &Gpu, plan: &Plan, t_s: f64, mut sim: Simulation) -> 
     Ok(comparison("foam", COMPARED_FOAM_LEVEL, relative_rms_error(got.into_iter(), want.into_iter()), FOAM_TOLERANCE))
 }
 
-/// Advances foam, front and plume of all cells of a foam level by one time step, as the oracle computes them. `corner` (x, z)
-/// of the level and side `texel_m` of a cell are in metres.
+/// Advances foam, front and plume of all cells of a level by one time step: corner (x, z) and side of a cell in metres.
 fn step_oracle_foam(
     foam: &mut [[f64; 3]],
     plan: &Plan,
@@ -291,12 +289,11 @@ fn step_oracle_foam(
     let source = FoamModel::new(plan).foam_source_for_texel(plan, texel_m);
     let size = foam.len().isqrt();
     for (i, cell) in foam.iter_mut().enumerate() {
-        let at = [i % size, i / size];
-        let world: [f64; 2] = std::array::from_fn(|a| corner[a] + (at[a] as f64 + 0.5) * texel_m);
+        let world = [0, 1].map(|a| corner[a] + ([i % size, i / size][a] as f64 + 0.5) * texel_m);
         let j = oracle::foam::displacement_jacobian(pyramid.wave_fields_at(world).strain, plan.sea.choppiness_xz());
         let s = ((source.jacobian_threshold - j) * source.source_slope).clamp(0.0, 1.0);
-        let ratios = [(1.0, 1.0), (FRONT_GROWTH_RATIO, FRONT_DECAY_RATIO), (1.0, PLUME_DECAY_RATIO)];
-        for (quantity, (growth, decay)) in cell.iter_mut().zip(ratios) {
+        let ratios = [[1.0; 2], [FRONT_GROWTH_RATIO, FRONT_DECAY_RATIO], [1.0, PLUME_DECAY_RATIO]];
+        for (quantity, [growth, decay]) in cell.iter_mut().zip(ratios) {
             let (rate_per_s, decay_s) = (growth * plan.sea.foam.rate_per_s, decay * plan.sea.foam.decay_s);
             *quantity = oracle::foam::foam_after_step(*quantity, s, rate_per_s, decay_s, step.dt_s);
         }
