@@ -46,7 +46,7 @@ fn tone_film(linear: vec3f) -> vec3f {
   let kept = mix(hue, vec3f(white), 0.6 * bleach * bleach);
   let both = 0.5 * (own + kept);
   let grey = sky_luminance(both);
-  return clamp(grey + 1.1 * (both - grey), vec3f(0.0), vec3f(1.0));
+  return clamp(grey + 1.04 * (both - grey), vec3f(0.0), vec3f(1.0));
 }
 
 // AgX tone curve by Troy Sobotka in the polynomial form of Benjamin Wrensch, with a look that keeps the sea's blues.
