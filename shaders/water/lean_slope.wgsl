@@ -48,11 +48,16 @@ fn lean_add_waves(
   let fading = (foot.side_m * map.inverse_patch - LEAN_FADE_START) * (1.0 / (LEAN_FADE_END - LEAN_FADE_START));
   let weight = 1.0 - maths_smooth(fading);
   let gradients = weight * textureSampleLevel(gradients_map, trilinear_sampler, uv, map.layer, lod);
-  let own = (1.0 - carried) * map.slope_scale * sqrt(gust);
+  var own = (1.0 - carried) * map.slope_scale;
+  var variance_factor = map.variance_factor;
+  if WATER_GUSTS {
+    own *= sqrt(gust);
+    variance_factor *= gust;
+  }
   (*out).sums.slope += own * gradients.xy;
   (*out).sums.stretch += own * gradients.zw;
   // As in water_sampling: the moments hold nothing finer than two texels.
-  let counted = gust * saturate(lod + 0.5) * map.variance_factor;
+  let counted = saturate(lod + 0.5) * variance_factor;
   if counted > 0.0 {
     (*out).variance += counted * water_unresolved_covariance(map, uv, lod - 1.0, gradients.xy);
   }
@@ -64,13 +69,16 @@ fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDeriva
   var waves: WaterSlopeSums;
   waves.sums = carried;
   let gust = water_gust_gain(at, foot.side_m);
-  waves.variance = gust * frame.residual_slope_covariance;
+  waves.variance = frame.residual_slope_covariance;
+  if WATER_GUSTS {
+    waves.variance *= gust;
+  }
   let inverse_step = water_inverse_carrying_step(at);
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
     let map = frame.cascades[c];
     let own_gust = water_gust_share(map, gust);
     if foot.side_m * map.inverse_patch >= LEAN_FADE_END {
-      waves.variance += own_gust * water_whole_covariance(map, at);
+      waves.variance += water_distant_covariance(map, at, own_gust);
       continue;
     }
     let share = select(0.0, water_carried_fraction(map, inverse_step), c < frame.cascade_count);

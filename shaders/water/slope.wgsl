@@ -94,7 +94,10 @@ fn water_gust_gain(at: vec2f, size: f32) -> f32 {
 
 // Factor by which gusts change the slope variance of a cascade or of ripples, from that of the shortest waves.
 fn water_gust_share(map: FrameCascade, gain: f32) -> f32 {
-  return select(1.0, gain, map.texels_per_m > WATER_GUST_TEXELS_PER_M);
+  if WATER_GUSTS {
+    return select(1.0, gain, map.texels_per_m > WATER_GUST_TEXELS_PER_M);
+  }
+  return 1.0;
 }
 
 // Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold. `gust`
@@ -105,10 +108,14 @@ fn water_add_waves(
   let map = frame.cascades[cascade];
   let sampling = water_sampling(map, foot);
   let along = foot.axis * map.inverse_patch;
-  let own = (1.0 - carried) * sampling.slope_weight * sqrt(gust);
+  var own = (1.0 - carried) * sampling.slope_weight;
+  var variance_gain = map.variance_factor * sampling.variance_weight;
+  if WATER_GUSTS {
+    own *= sqrt(gust);
+    variance_gain *= gust;
+  }
   let slope_gain = own * map.slope_scale;
   let stretch_gain = select(0.0, own, cascade < frame.cascade_count);
-  let variance_gain = gust * map.variance_factor * sampling.variance_weight;
   // Ripples add slopes, but no displacement. Where maps are minified, products of shears have a mean near 0.
   let has_shear = cascade < frame.cascade_count && sampling.displacement_lod < WATER_SHEAR_LOD;
   let first_uv = map.uv_below_eye + at * map.inverse_patch;
@@ -155,6 +162,15 @@ fn water_whole_covariance(map: FrameCascade, at: vec2f) -> vec3f {
   return (map.variance_factor * map.moment_unit) * moments;
 }
 
+// As water_whole_covariance, with the factor of gusts.
+fn water_distant_covariance(map: FrameCascade, at: vec2f, gust: f32) -> vec3f {
+  let whole = water_whole_covariance(map, at);
+  if WATER_GUSTS {
+    return gust * whole;
+  }
+  return whole;
+}
+
 // Slope statistics within a footprint at an undisplaced position relative to the point below the eye, m, from which the
 // waves have moved the water by `moved`, m, without gusts.
 fn water_slope(at: vec2f, moved: vec3f, foot: WaterFootprint) -> WaterSlope {
@@ -170,7 +186,10 @@ fn water_slope_with_carried(
   var waves: WaterSlopeSums;
   waves.sums = carried;
   // Covariance of the slopes of all waves that are in no map (Cox and Munk 1954).
-  waves.variance = gust * frame.residual_slope_covariance;
+  waves.variance = frame.residual_slope_covariance;
+  if WATER_GUSTS {
+    waves.variance *= gust;
+  }
   let inverse_step = water_inverse_carrying_step(at);
   // Slopes of short gravity waves are similar at every scale, so that a shrunk copy of a cascade can serve as ripples.
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
@@ -183,7 +202,7 @@ fn water_slope_with_carried(
     let share = select(0.0, water_carried_fraction(map, inverse_step), carries && !is_ripple);
     let own_gust = water_gust_share(map, gust);
     if water_is_distant(map, within) {
-      waves.variance += own_gust * water_whole_covariance(map, at);
+      waves.variance += water_distant_covariance(map, at, own_gust);
     } else if share < 1.0 {
       water_add_waves(&waves, at, within, c, share, own_gust);
     }

@@ -22,7 +22,7 @@ pub struct GalleryPicture {
     pub title: &'static str,
     /// Text about the picture, a paragraph of the gallery page.
     pub description: &'static str,
-    /// State string (`key=value&...`) of the picture, in the form in which the program itself writes it.
+    /// State string (`key=value&...`) of the picture with its version, in the form in which the program writes links.
     pub state: &'static str,
 }
 
@@ -31,94 +31,94 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Calm at dawn",
         description: "Beaufort 1 with a very low swell under cirrus: the water mirrors the sky just after sunrise.",
-        state: "spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&clouds=cirrus&cloudcover=0.4&glints=1\
+        state: "v=2&spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&clouds=cirrus&cloudcover=0.4&glints=1\
                 &gusts=1&bloom=0.04&y=3&heading=62&pitch=3&t=40",
     },
     GalleryPicture {
         title: "Trade wind",
-        description: "8 m/s from the east, a fully developed sea with fair-weather cumulus, and the swell of a\
+        description: "8 m/s from the east, a fully developed sea with fair-weather cumulus, and the swell of a \
                        storm far to the north.",
-        state: "spectrum=pm&wind=8&dir=80&scale2=1&dir2=340&hs2=2&tp2=13&sun=48&sunaz=120&clouds=cumulus\
+        state: "v=2&spectrum=pm&wind=8&dir=80&scale2=1&dir2=340&hs2=2&tp2=13&sun=48&sunaz=120&clouds=cumulus\
                 &cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=5&heading=250&pitch=1&t=40",
     },
     GalleryPicture {
         title: "Fresh breeze",
-        description: "Beaufort 5 over 150 km of water: moderate waves, many whitecaps, and shadows of clouds on\
+        description: "11 m/s over 200 km of water: moderate waves, many whitecaps, and shadows of clouds on \
                        the sea.",
-        state: "wind=11&fetch=200&sun=32&sunaz=320&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04\
+        state: "v=2&wind=11&fetch=200&sun=32&sunaz=320&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04\
                 &y=2.5&heading=55&pitch=0&t=40",
     },
     GalleryPicture {
         title: "North Sea gale",
-        description: "Beaufort 8 in water 40 m deep under stratocumulus: the TMA spectrum, steep waves, streaks\
+        description: "Beaufort 8 in water 40 m deep under stratocumulus: the TMA spectrum, steep waves, streaks \
                        of foam.",
-        state: "spectrum=tma&wind=19&fetch=300&dir=330&depth=40&sun=24&sunaz=230&clouds=stratocumulus\
+        state: "v=2&spectrum=tma&wind=19&fetch=300&dir=330&depth=40&sun=24&sunaz=230&clouds=stratocumulus\
                 &cloudcover=0.6&glints=1&gusts=1&bloom=0.04&y=4&heading=130&pitch=-1&t=40",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
         description: "Beaufort 10 over 750 km of open water: waves eleven metres high, seen from a trough.",
-        state: "wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1&gusts=1\
+        state: "v=2&wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1&gusts=1\
                 &bloom=0.04&y=3&heading=255&pitch=1&fov=45&t=43",
     },
     GalleryPicture {
         title: "Long swell",
         description: "A swell of three metres and sixteen seconds from a distant storm, under a light breeze.",
-        state: "spectrum=pm&wind=3&scale2=1&dir2=290&hs2=3&tp2=16&swell2=1&sun=14&sunaz=300&clouds=cirrus\
+        state: "v=2&spectrum=pm&wind=3&scale2=1&dir2=290&hs2=3&tp2=16&swell2=1&sun=14&sunaz=300&clouds=cirrus\
                 &cloudcover=0.35&glints=1&gusts=1&bloom=0.04&y=6&heading=280&pitch=1&t=40",
     },
     GalleryPicture {
         title: "Crossing seas",
         description: "A fresh wind sea across a swell of nine seconds, with the glints of a high sun.",
-        state: "wind=11&scale2=1&dir2=330&hs2=2.2&tp2=9&swell2=0.3&sun=35&sunaz=160&clouds=cumulus&cloudcover=0.2\
+        state: "v=2&wind=11&scale2=1&dir2=330&hs2=2.2&tp2=9&swell2=0.3&sun=35&sunaz=160&clouds=cumulus&cloudcover=0.2\
                 &glints=1&gusts=1&bloom=0.04&y=6&heading=205&pitch=-3&t=40",
     },
     GalleryPicture {
         title: "Shallow tropical water",
         description: "Four metres of water over sand, seagrass and reefs, with caustics.",
-        state: "spectrum=tma&wind=5&fetch=12&depth=4&sun=62&sunaz=100&clouds=cumulus&cloudcover=0.2&glints=1\
+        state: "v=2&spectrum=tma&wind=5&fetch=12&depth=4&sun=62&sunaz=100&clouds=cumulus&cloudcover=0.2&glints=1\
                 &gusts=1&caustics=1&bloom=0.04&y=8&heading=220&pitch=-14&t=40",
     },
     GalleryPicture {
         title: "Overcast",
         description: "A moderate breeze under a closed deck of clouds.",
-        state: "wind=7&fetch=50&sun=35&clouds=stratocumulus&cloudcover=0.95&glints=1&gusts=1&bloom=0.04&y=4\
+        state: "v=2&wind=7&fetch=50&sun=35&clouds=stratocumulus&cloudcover=0.95&glints=1&gusts=1&bloom=0.04&y=4\
                 &heading=50&pitch=1&t=40",
     },
     GalleryPicture {
         title: "Dusk",
         description: "The sun has just set behind scattered clouds.",
-        state: "wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&cloudcover=0.35&glints=1&gusts=1&bloom=0.04\
+        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&cloudcover=0.35&glints=1&gusts=1&bloom=0.04\
                 &y=4&heading=290&pitch=2&t=40",
     },
     GalleryPicture {
         title: "From the air",
         description: "A strong breeze from 500 m: whitecaps, streaks along the wind, and clouds to the horizon.",
-        state: "wind=13&fetch=250&sun=42&sunaz=190&clouds=cumulus&cloudcover=0.25&glints=1&gusts=1&bloom=0.04\
+        state: "v=2&wind=13&fetch=250&sun=42&sunaz=190&clouds=cumulus&cloudcover=0.25&glints=1&gusts=1&bloom=0.04\
                 &y=500&heading=130&pitch=-16&t=40",
     },
     GalleryPicture {
         title: "Close to the ripples",
         description: "A light breeze seen from 1.2 m, with gravity and capillary waves (Elfouhaily's spectrum).",
-        state: "spectrum=elfouhaily&wind=3&fetch=5&spread=elfouhaily&dispersion=capillary&sun=25&sunaz=60\
+        state: "v=2&spectrum=elfouhaily&wind=3&fetch=5&spread=elfouhaily&dispersion=capillary&sun=25&sunaz=60\
                 &glints=1&gusts=1&bloom=0.04&y=1.2&heading=62&pitch=-8&t=30",
     },
     GalleryPicture {
         title: "Golden hour",
         description: "A low sun behind cumulus: broken gold on the faces that tilt towards it.",
-        state: "wind=12&fetch=300&sun=5&sunaz=200&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=2\
+        state: "v=2&wind=12&fetch=300&sun=5&sunaz=200&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=2\
                 &heading=195&pitch=1&t=52",
     },
     GalleryPicture {
         title: "Towering clouds",
         description: "A moderate breeze under towering cumulus in the light of a low sun.",
-        state: "wind=9&sun=12&sunaz=250&clouds=towering&cloudcover=0.25&glints=1&gusts=1&bloom=0.04&y=3\
+        state: "v=2&wind=9&sun=12&sunaz=250&clouds=towering&cloudcover=0.25&glints=1&gusts=1&bloom=0.04&y=3\
                 &heading=20&pitch=4&t=40",
     },
     GalleryPicture {
         title: "Green crests",
         description: "A near gale in green coastal water: light comes through the crests.",
-        state: "wind=14&fetch=250&sun=22&sunaz=65&clouds=cumulus&cloudcover=0.2&water=3c&glints=1&gusts=1\
+        state: "v=2&wind=14&fetch=250&sun=22&sunaz=65&clouds=cumulus&cloudcover=0.2&water=3c&glints=1&gusts=1\
                 &bloom=0.04&y=2.5&heading=40&pitch=-1&t=33",
     },
 ];

@@ -99,7 +99,7 @@ fn every_time_of_a_buoy_is_listed() {
     assert_eq!(file.spectrum.directions().map(|d| d[1].alpha1_deg), Some(110.0));
 
     // Without directions of its time, an older record is listed with a notice. With impossible ones it is left out.
-    let mut gap = bytes.clone();
+    let mut gap = bytes;
     gap[1].1 = realtime_set()[1].1.clone().into_bytes();
     let older = MeasuredSpectrum::read_list(&gap).expect("a list").records.swap_remove(0);
     assert!(older.spectrum.directions().is_none());
