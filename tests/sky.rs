@@ -159,7 +159,7 @@ fn blocks(pixels: &[[u8; 4]]) -> Vec<f64> {
 #[test]
 fn clouds_cover_the_sky_and_dim_the_sea() {
     let gpu = gpu();
-    let base = "wind=4&fetch=20&n=64&t=5&dither=0&autoexposure=0&sun=40";
+    let base = "wind=4&fetch=20&n=64&t=5&dither=0&tone=agx&autoexposure=0&exposure=-0.82&sun=40";
     let up = format!("{base}&pitch=40&fov=100&heading=60");
     let down = format!("{base}&pitch=-30&y=800");
     let clear = render(&gpu, &up);

@@ -91,7 +91,7 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
       t += clamp(-inside * cloud_field.stride, 0.7 * finest, 12.0 * finest + 0.02 * t);
       continue;
     }
-    let density = saturate(inside * cloud_field.sharpness);
+    let density = cloud_edge(inside * cloud_field.sharpness);
     let extinction = density * cloud_field.extinction_per_km;
     let step_km = finest * (1.0 + 2.5 * (1.0 - out.transmittance));
     if density > 0.002 {

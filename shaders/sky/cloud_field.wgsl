@@ -36,7 +36,7 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   let shape = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.shapes_per_km, 0.0).r;
   // Few heads stand free of the cloud.
   let amplitude = cloud_field.shape_amplitude;
-  var inside = depth + amplitude * saturate(1.0 + 2.0 * depth / amplitude) * (shape - 0.5);
+  var inside = depth + amplitude * saturate(0.85 + 2.4 * depth / amplitude) * (shape - 0.5);
   let rise_km = p.y - cloud_field.base_km;
   var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
   if detail > 0.0 && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
@@ -50,6 +50,13 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   return min(inside, (rise_km - bump_km) * (cloud_field.base_sharpness / cloud_field.sharpness));
 }
 
+// Density of a cloud, 0 to 1, at a depth that is counted in depths in which the cloud becomes dense. It rises slowly at
+// first, because droplets evaporate at the edge.
+fn cloud_edge(depth: f32) -> f32 {
+  let x = saturate(depth);
+  return x * x * (3.0 - 2.0 * x);
+}
+
 // Density at a point with the share `detail` of the fine noise, averaged over about `blur_km`.
 fn cloud_density(p: vec3f, detail: f32, blur_km: f32) -> f32 {
   let place = cloud_depth(p);
@@ -58,7 +65,7 @@ fn cloud_density(p: vec3f, detail: f32, blur_km: f32) -> f32 {
     return 0.0;
   }
   let inside = cloud_rough_depth(p, place, detail);
-  return saturate((inside + blur) / (2.0 * blur + 1.0 / cloud_field.sharpness));
+  return cloud_edge((inside + blur) / (2.0 * blur + 1.0 / cloud_field.sharpness));
 }
 
 // Direction in the frame of the field, from one in the axes of the world.

@@ -2,7 +2,7 @@
 
 // Backscattering coefficient of a dense bubble plume under a breaker, 1/m, for a void fraction of 1e-3 (Deane and
 // Stokes 2002; backscattering ratio of Zhang, Lewis and Johnson 1998).
-const WATER_PLUME_BACKSCATTER = 0.3;
+const WATER_PLUME_BACKSCATTER = 0.2;
 // Depth of a bubble plume under a breaker, m.
 const WATER_PLUME_DEPTH_M = 0.8;
 // Mean cosine of scattering in a crest: less than the particles' 0.9, because light is scattered several times.

@@ -31,35 +31,34 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Calm at dawn",
         description: "Beaufort 1 with a very low swell under cirrus: the water mirrors the sky just after sunrise.",
-        state: "v=2&spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&clouds=cirrus&cloudcover=0.4&glints=1\
-                &gusts=1&bloom=0.04&y=3&heading=62&pitch=3&t=40",
+        state: "v=2&spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&clouds=cirrus&cloudcover=0.4\
+                &glints=1&gusts=1&bloom=0.04&y=3&heading=62&pitch=3&t=40",
     },
     GalleryPicture {
         title: "Trade wind",
         description: "8 m/s from the east, a fully developed sea with fair-weather cumulus, and the swell of a \
-                       storm far to the north.",
+                      storm far to the north.",
         state: "v=2&spectrum=pm&wind=8&dir=80&scale2=1&dir2=340&hs2=2&tp2=13&sun=48&sunaz=120&clouds=cumulus\
                 &cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=5&heading=250&pitch=1&t=40",
     },
     GalleryPicture {
         title: "Fresh breeze",
-        description: "11 m/s over 200 km of water: moderate waves, many whitecaps, and shadows of clouds on \
-                       the sea.",
-        state: "v=2&wind=11&fetch=200&sun=32&sunaz=320&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04\
+        description: "11 m/s over 130 km of water: moderate waves, many whitecaps, and shadows of clouds on the sea.",
+        state: "v=2&wind=11&fetch=130&sun=32&sunaz=320&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04\
                 &y=2.5&heading=55&pitch=0&t=40",
     },
     GalleryPicture {
         title: "North Sea gale",
         description: "Beaufort 8 in water 40 m deep under stratocumulus: the TMA spectrum, steep waves, streaks \
-                       of foam.",
+                      of foam.",
         state: "v=2&spectrum=tma&wind=19&fetch=300&dir=330&depth=40&sun=24&sunaz=230&clouds=stratocumulus\
-                &cloudcover=0.6&glints=1&gusts=1&bloom=0.04&y=4&heading=130&pitch=-1&t=40",
+                &cloudcover=0.6&glints=1&gusts=1&bloom=0.04&y=4&heading=170&pitch=-1&t=46",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
-        description: "Beaufort 10 over 750 km of open water: waves eleven metres high, seen from a trough.",
-        state: "v=2&wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1&gusts=1\
-                &bloom=0.04&y=3&heading=255&pitch=1&fov=45&t=43",
+        description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough.",
+        state: "v=2&wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1\
+                &gusts=1&bloom=0.04&y=3&heading=255&pitch=1&fov=45&t=43",
     },
     GalleryPicture {
         title: "Long swell",
@@ -70,8 +69,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Crossing seas",
         description: "A fresh wind sea across a swell of nine seconds, with the glints of a high sun.",
-        state: "v=2&wind=11&scale2=1&dir2=330&hs2=2.2&tp2=9&swell2=0.3&sun=35&sunaz=160&clouds=cumulus&cloudcover=0.2\
-                &glints=1&gusts=1&bloom=0.04&y=6&heading=205&pitch=-3&t=40",
+        state: "v=2&wind=11&scale2=1&dir2=330&hs2=2.2&tp2=9&swell2=0.3&sun=35&sunaz=160&clouds=cumulus\
+                &cloudcover=0.2&glints=1&gusts=1&bloom=0.04&y=6&heading=205&pitch=-3&t=40",
     },
     GalleryPicture {
         title: "Shallow tropical water",
@@ -81,21 +80,21 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Overcast",
-        description: "A moderate breeze under a closed deck of clouds.",
-        state: "v=2&wind=7&fetch=50&sun=35&clouds=stratocumulus&cloudcover=0.95&glints=1&gusts=1&bloom=0.04&y=4\
+        description: "A fresh breeze under a closed deck of low clouds.",
+        state: "v=2&wind=9&fetch=80&sun=40&sunaz=330&clouds=storm&cloudcover=0.9&glints=1&gusts=1&bloom=0.04&y=3\
                 &heading=50&pitch=1&t=40",
     },
     GalleryPicture {
         title: "Dusk",
         description: "The sun has just set behind scattered clouds.",
-        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&cloudcover=0.35&glints=1&gusts=1&bloom=0.04\
-                &y=4&heading=290&pitch=2&t=40",
+        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&cloudcover=0.35&glints=1&gusts=1\
+                &bloom=0.04&y=4&heading=290&pitch=2&t=40",
     },
     GalleryPicture {
         title: "From the air",
-        description: "A strong breeze from 500 m: whitecaps, streaks along the wind, and clouds to the horizon.",
-        state: "v=2&wind=13&fetch=250&sun=42&sunaz=190&clouds=cumulus&cloudcover=0.25&glints=1&gusts=1&bloom=0.04\
-                &y=500&heading=130&pitch=-16&t=40",
+        description: "A strong breeze from 90 m: whitecaps with their fading trails, and cumulus to the horizon.",
+        state: "v=2&wind=11&fetch=130&sun=38&sunaz=300&clouds=cumulus&cloudcover=0.25&glints=1&gusts=1&bloom=0.04\
+                &y=90&heading=40&pitch=-9&t=40",
     },
     GalleryPicture {
         title: "Close to the ripples",
@@ -105,15 +104,15 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Golden hour",
-        description: "A low sun behind cumulus: broken gold on the faces that tilt towards it.",
-        state: "v=2&wind=12&fetch=300&sun=5&sunaz=200&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=2\
-                &heading=195&pitch=1&t=52",
+        description: "A low sun between few clouds: broken gold on the faces that tilt towards it.",
+        state: "v=2&wind=12&fetch=150&sun=7&sunaz=200&clouds=cumulus&cloudcover=0.12&glints=1&gusts=1&bloom=0.04\
+                &y=2.5&heading=188&pitch=1&t=52",
     },
     GalleryPicture {
         title: "Towering clouds",
-        description: "A moderate breeze under towering cumulus in the light of a low sun.",
-        state: "v=2&wind=9&sun=12&sunaz=250&clouds=towering&cloudcover=0.25&glints=1&gusts=1&bloom=0.04&y=3\
-                &heading=20&pitch=4&t=40",
+        description: "A moderate breeze under towering cumulus.",
+        state: "v=2&wind=9&fetch=85&sun=25&sunaz=250&clouds=towering&cloudcover=0.25&glints=1&gusts=1&bloom=0.04&y=3\
+                &heading=320&pitch=6&t=40",
     },
     GalleryPicture {
         title: "Green crests",
