@@ -51,8 +51,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "North Sea gale",
         description: "Beaufort 8 in water 40 m deep under stratocumulus: the TMA spectrum, steep waves, streaks \
                       of foam.",
-        state: "v=2&spectrum=tma&wind=19&fetch=300&dir=330&depth=40&sun=24&sunaz=230&clouds=stratocumulus\
-                &cloudcover=0.6&glints=1&gusts=1&bloom=0.04&y=4&heading=170&pitch=-1&t=46",
+        state: "v=2&spectrum=tma&wind=19&fetch=300&dir=330&depth=40&sunaz=230&clouds=stratocumulus&cloudcover=0.6\
+                &glints=1&gusts=1&bloom=0.04&y=4&heading=170&pitch=-1&t=46",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
@@ -64,7 +64,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Long swell",
         description: "A swell of three metres and sixteen seconds from a distant storm, under a light breeze.",
         state: "v=2&spectrum=pm&wind=3&scale2=1&dir2=290&hs2=3&tp2=16&swell2=1&sun=14&sunaz=300&clouds=cirrus\
-                &cloudcover=0.35&glints=1&gusts=1&bloom=0.04&y=6&heading=280&pitch=1&t=40",
+                &glints=1&gusts=1&bloom=0.04&y=6&heading=280&pitch=1&t=40",
     },
     GalleryPicture {
         title: "Crossing seas",
@@ -87,14 +87,14 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Dusk",
         description: "The sun has just set behind scattered clouds.",
-        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&cloudcover=0.35&glints=1&gusts=1\
-                &bloom=0.04&y=4&heading=290&pitch=2&t=40",
+        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&glints=1&gusts=1&bloom=0.04&y=4\
+                &heading=290&pitch=2&t=40",
     },
     GalleryPicture {
         title: "From the air",
         description: "A strong breeze from 90 m: whitecaps with their fading trails, and cumulus to the horizon.",
         state: "v=2&wind=11&fetch=130&sun=38&sunaz=300&clouds=cumulus&cloudcover=0.25&glints=1&gusts=1&bloom=0.04\
-                &y=90&heading=40&pitch=-9&t=40",
+                &y=90&pitch=-9&t=40",
     },
     GalleryPicture {
         title: "Close to the ripples",
@@ -105,8 +105,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Golden hour",
         description: "A low sun between few clouds: broken gold on the faces that tilt towards it.",
-        state: "v=2&wind=12&fetch=150&sun=7&sunaz=200&clouds=cumulus&cloudcover=0.12&glints=1&gusts=1&bloom=0.04\
-                &y=2.5&heading=188&pitch=1&t=52",
+        state: "v=2&sun=7&sunaz=200&clouds=cumulus&cloudcover=0.12&glints=1&gusts=1&bloom=0.04&y=2.5&heading=188\
+                &pitch=1&t=52",
     },
     GalleryPicture {
         title: "Towering clouds",
@@ -118,7 +118,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Green crests",
         description: "A near gale in green coastal water: light comes through the crests.",
         state: "v=2&wind=14&fetch=250&sun=22&sunaz=65&clouds=cumulus&cloudcover=0.2&water=3c&glints=1&gusts=1\
-                &bloom=0.04&y=2.5&heading=40&pitch=-1&t=33",
+                &bloom=0.04&y=2.5&pitch=-1&t=33",
     },
 ];
 
