@@ -171,7 +171,7 @@ impl Bench {
                 (7, BindingResource::Sampler(&self.noise)),
                 (9, self.material.as_entire_binding()),
                 (10, BindingResource::TextureView(&self.mirrored_sky)),
-                (11, BindingResource::TextureView(&self.bed.view)),
+                (13, BindingResource::TextureView(&self.bed.view)),
             ],
         );
         common::bind_maps(&mut kernel, &self.gpu, self.ocean.simulation());

@@ -47,14 +47,14 @@ impl Drop for Desk {
         }
         let said = std::fs::read_to_string(self.folder.join(SAID)).unwrap_or_default();
         let windows = self.hand(&["search", "--name", ".*"]);
-        println!("ended: {:?}\nwindows: {windows:?}\nstderr: {said}", self.program.0.try_wait());
+        eprintln!("ended: {:?}\nwindows: {windows:?}\nstderr: {said}", self.program.0.try_wait());
         // Linux lists a process' threads with the kernel function that each waits in.
         let threads = std::fs::read_dir(format!("/proc/{}/task", self.program.0.id()));
         for thread in threads.into_iter().flatten().flatten() {
             let read = |file: &str| std::fs::read_to_string(thread.path().join(file)).unwrap_or_default();
             let stat = read("stat");
             let times: Vec<_> = stat.split(' ').skip(13).take(2).collect();
-            println!("thread {} in {}, CPU ticks {times:?}", read("comm").trim(), read("wchan"));
+            eprintln!("thread {} in {}, CPU ticks {times:?}", read("comm").trim(), read("wchan"));
         }
     }
 }

@@ -65,6 +65,28 @@ export async function sea(context) {
     }
   });
 
+  // Each is a variant of the light that the default sea does not compile.
+  for (const [name, look] of [
+    ['clouds', 'clouds=cumulus&cloudcover=0.4&glints=1&gusts=1&bloom=0.04&sun=40&sunaz=60'],
+    ['lagoon', 'depth=4&water=ia&caustics=1&clouds=stratocumulus'],
+  ]) {
+    await test(`${browser.name}: a sea with ${name} is seen`, async () => {
+      const tab = await openSea(context, `v=2&${STATE}&pause=1&mesh=0.1&${look}`);
+      try {
+        const picture = await shot(tab, name);
+        assert.deepEqual(notASea(crop(picture, WATER)), [], JSON.stringify(measure(crop(picture, WATER))));
+        if (name === 'clouds') {
+          // A clear sky is even.
+          const sky = measure(crop(picture, [0.02, 0.02, 0.98, 0.3]));
+          assert.ok(sky.detail > 0.3, `detail ${sky.detail} in the sky`);
+        }
+        assert.deepEqual(tab.errors, [], 'console errors');
+      } finally {
+        await tab.close();
+      }
+    });
+  }
+
   await test(`${browser.name}: the sea moves by itself`, async () => {
     const tab = await openSea(context, STATE);
     try {
