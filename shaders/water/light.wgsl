@@ -102,9 +102,12 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
     slope = water_slope_with_carried(at, water_moved(point), foot, foot, carried, true, gust);
   }
-  // If a neighbouring pixel shows another wave, the difference is not a change of slope within this pixel.
-  let bend_x = select(vec2f(0.0), dpdx(slope.mean), x.is_smooth);
-  let bend_y = select(vec2f(0.0), dpdy(slope.mean), y.is_smooth);
+  // If a neighbouring pixel shows another wave, the difference is not a change of slope within this pixel. A neighbour
+  // beyond the horizon has no slope at all: its depth is 0, and some GPUs make any number of it. Coarse derivatives may
+  // come from the other row or column of the quad, which may lie beyond the horizon.
+  let is_water = select(0.0, 1.0, textureLoad(depth_map, pixel, 0) > 0.0);
+  let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && dpdxFine(is_water) == 0.0);
+  let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && dpdyFine(is_water) == 0.0);
   let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
   return water_radiance(point, foot, bent, gust, vec2u(pixel));
 }

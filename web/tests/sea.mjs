@@ -75,6 +75,13 @@ export async function sea(context) {
       try {
         const picture = await shot(tab, name);
         assert.deepEqual(notASea(crop(picture, WATER)), [], JSON.stringify(measure(crop(picture, WATER))));
+        // Invalid light at the horizon would be a white line, and with bloom a white picture.
+        const { width, height, luma } = picture;
+        for (let y = 0; y < height; y += 1) {
+          const row = luma.subarray(y * width, (y + 1) * width);
+          const mean = row.reduce((sum, value) => sum + value, 0) / width;
+          assert.ok(mean < 245, `row ${y} is white: ${mean}`);
+        }
         if (name === 'clouds') {
           // A clear sky is even.
           const sky = measure(crop(picture, [0.02, 0.02, 0.98, 0.3]));
