@@ -106,8 +106,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   // beyond the horizon has no slope at all: its depth is 0, and some GPUs make any number of it. Coarse derivatives may
   // come from the other row or column of the quad, which may lie beyond the horizon.
   let is_water = select(0.0, 1.0, textureLoad(depth_map, pixel, 0) > 0.0);
-  let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && dpdxFine(is_water) == 0.0);
-  let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && dpdyFine(is_water) == 0.0);
+  let shore = vec2f(dpdxFine(is_water), dpdyFine(is_water));
+  let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shore.x == 0.0);
+  let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && shore.y == 0.0);
   let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
   return water_radiance(point, foot, bent, gust, vec2u(pixel));
 }
