@@ -15,6 +15,19 @@ fn noise_pcg4d(seed: vec4u) -> vec4u {
   return v;
 }
 
+// Three random numbers, 0 to 1, from three words (the hash pcg3d; Jarzynski and Olano 2020).
+fn noise_pcg3d_unit(seed: vec3u) -> vec3f {
+  var v = seed * 1664525u + 1013904223u;
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v = v ^ (v >> vec3u(16u));
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  return vec3f(v >> vec3u(8u)) / 16777216.0;
+}
+
 fn noise_random_words(seed: u32, key: u32, ix: i32, iz: i32) -> vec2u {
   return noise_pcg4d(vec4u(bitcast<u32>(ix), bitcast<u32>(iz), key, seed)).xy;
 }

@@ -26,7 +26,8 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     let patch_m = foam.cascades[c].patch_m;
     let layer = foam.cascades[c].layer;
     let uv = corner.uv + offset / patch_m;
-    // Fine cells read waves that break with whitecaps. The mip level is one finer than a cell, because linear interpolation between uncorrelated texels loses variance.
+    // Waves shorter than a breaker's texel make no foam, so fine cells read coarser mip levels. The level is one finer
+    // than the texel, because linear interpolation between uncorrelated texels loses variance.
     let texel_m = max(foam.levels[level].cell_m, foam.breaker_texel_m);
     let lod = max(log2(texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
     var next = tile_blend(corner.tile_position, offset, true);

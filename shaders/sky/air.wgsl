@@ -10,15 +10,12 @@ fn air_horizon_radiance(dir: vec3f) -> vec3f {
   return textureSampleLevel(environment_map, sky_sampler, vec2f(u, 0.5 + 1.5 / 128.0), 1.0).rgb;
 }
 
-// Reciprocal of the linear sRGB of sunlight above the air, to which the columns of ATM_SRGB_FROM_WAVELENGTHS add up.
-const AIR_INVERSE_SUN = vec3f(1.0 / 19.4, 1.0 / 20.0, 1.0 / 20.8);
-
 // Clear air between the eye and a point of the sea: the radiance that it adds, and its transmittance.
 fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let km = 0.001 * distance_m;
   let extinction =
     ATM_RAYLEIGH_SCATTERING * frame.mean_air_density.x + ATM_AEROSOL_EXTINCTION * (sky.haze * frame.mean_air_density.y);
-  let through = atm_linear_srgb(exp(-extinction * km)) * AIR_INVERSE_SUN;
+  let through = atm_linear_srgb(exp(-extinction * km)) * ATM_INVERSE_SUN;
   if SKY_IMAGE && sky.has_image > 0.0 {
     return array<vec3f, 2>(air_horizon_radiance(dir) * (1.0 - through), through);
   }

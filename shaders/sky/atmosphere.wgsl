@@ -28,6 +28,8 @@ const ATM_AEROSOL_ASYMMETRY = 0.78;
 // Absorption coefficient of ozone where it is densest, 1/km; 300 Dobson units in all (Gorshelev et al. 2014).
 const ATM_OZONE_ABSORPTION = vec4f(1.854e-3, 2.590e-3, 0.871e-3, 0.070e-3);
 const ATM_SEA_ALBEDO = 0.06;
+// Reciprocal of the linear sRGB of sunlight above the air, to which the columns of ATM_SRGB_FROM_WAVELENGTHS add up.
+const ATM_INVERSE_SUN = vec3f(1.0 / 19.4, 1.0 / 20.0, 1.0 / 20.8);
 
 // Linear sRGB of light that is a fraction of sunlight at the four wavelengths.
 fn atm_linear_srgb(share: vec4f) -> vec3f {

@@ -37,18 +37,6 @@ fn sky_sun_disc_radiance(dir: vec3f) -> vec3f {
   return atm_linear_srgb(through) * sky.sun_tint * (disc * dark * shown * mean_to_middle / solid);
 }
 
-fn sky_random_vector(p: vec3u) -> vec3f {
-  var v = p * 1664525u + 1013904223u;
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  v = v ^ (v >> vec3u(16u));
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  return vec3f(v >> vec3u(8u)) / 16777216.0;
-}
-
 // Radiance of the stars: one star in each cell of a cube map. Their number grows by half a decade per magnitude. The
 // blur of the eye spreads each star over at least 3/4 of a pixel.
 fn sky_star_radiance(dir: vec3f) -> vec3f {
@@ -59,8 +47,8 @@ fn sky_star_radiance(dir: vec3f) -> vec3f {
   const CELLS = 26.0;
   let cell = floor((0.5 + 0.5 * plane) * CELLS);
   let key = vec3u(vec2u(cell), face * 2u + select(0u, 1u, major < 0.0) + 17u);
-  let place = sky_random_vector(key);
-  let more = sky_random_vector(key + 1000u);
+  let place = noise_pcg3d_unit(key);
+  let more = noise_pcg3d_unit(key + 1000u);
   let at = (cell + 0.1 + 0.8 * place.xy) / CELLS * 2.0 - 1.0;
   let size = max(0.75 * frame.pixel_angle, 4e-4);
   let off = length(at - plane) / (size * (1.0 + dot(plane, plane)));

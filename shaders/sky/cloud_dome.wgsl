@@ -128,7 +128,7 @@ fn dome_air_transmittance(mu: f32, t: f32) -> vec3f {
   let there = (ATM_EARTH_RADIUS_KM * mu + t) / (ATM_EARTH_RADIUS_KM + h);
   let whole = atm_transmittance(transmittance_map, sky_sampler, 0.0, mu, 1e-4);
   let beyond = atm_transmittance(transmittance_map, sky_sampler, h, there, 1e-4);
-  return atm_linear_srgb(whole / max(beyond, vec4f(1e-6))) * vec3f(1.0 / 19.4, 1.0 / 20.0, 1.0 / 20.8);
+  return atm_linear_srgb(whole / max(beyond, vec4f(1e-6))) * ATM_INVERSE_SUN;
 }
 
 @compute @workgroup_size(8, 8)
@@ -157,7 +157,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let from_sky = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
       // The sea and the low air return little of the light that falls on them between the clouds.
       let on_sea = ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0);
-      let from_sea = (on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky) * mix(0.2, 1.0, sky_open_share());
+      let from_sea = (on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky) * sky_shaded_air();
       // Deep in a cloud, the light from above is that of sky and sun together.
       let from_above = from_sky + sun * (DOME_SUN_IN_DEPTH * max(sky.sun_direction.y, 0.0) / ATM_PI);
       let radiance = seen.sun * sun + seen.sky * from_above + seen.sea * from_sea;

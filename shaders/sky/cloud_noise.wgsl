@@ -3,18 +3,10 @@
 
 @group(0) @binding(0) var noise_out: texture_storage_3d<rgba8unorm, write>;
 
-// Three random numbers, 0 to 1, for a lattice cell (pcg3d; Jarzynski and Olano 2020). `period` repeats the lattice.
+// Three random numbers, 0 to 1, for a lattice cell. `period` repeats the lattice.
 fn noise_random(cell: vec3i, period: i32, key: u32) -> vec3f {
   let wrapped = ((cell % period) + period) % period;
-  var v = (vec3u(wrapped) + key) * 1664525u + 1013904223u;
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  v = v ^ (v >> vec3u(16u));
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  return vec3f(v >> vec3u(8u)) / 16777216.0;
+  return noise_pcg3d_unit(vec3u(wrapped) + key);
 }
 
 // One minus the distance to the nearest of random points, one in each cell (Worley 1996): round heads with sharp

@@ -9,7 +9,7 @@
 @group(0) @binding(5) var shadow_out: texture_storage_2d<rgba16float, write>;
 
 const SHADOW_STEPS = 24;
-// Length of the longest path through the layer, in thicknesses (`SHADOW_LONGEST` in src/render/sky/clouds.rs).
+// Length of the longest path through the layer, in thicknesses (`LONGEST_SHADOW` in src/render/sky/cloud_field.rs).
 const SHADOW_LONGEST = 12.0;
 
 @compute @workgroup_size(8, 8)

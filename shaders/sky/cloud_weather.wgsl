@@ -7,17 +7,7 @@
 
 fn weather_random(cell: vec2i, period: i32, key: u32) -> vec4f {
   let wrapped = ((cell % period) + period) % period;
-  var v = vec4u(vec2u(wrapped), key, u32(period)) * 1664525u + 1013904223u;
-  v.x += v.y * v.w;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  v.w += v.y * v.z;
-  v = v ^ (v >> vec4u(16u));
-  v.x += v.y * v.w;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  v.w += v.y * v.z;
-  return vec4f(v >> vec4u(8u)) / 16777216.0;
+  return vec4f(noise_pcg4d(vec4u(vec2u(wrapped), key, u32(period))) >> vec4u(8u)) / 16777216.0;
 }
 
 // Gradient noise of mean 0 and standard deviation of about 0.25; `at` counts tiles.

@@ -49,7 +49,7 @@ fn bed_banks(at: vec2f, size: f32) -> vec2f {
   return vec2f(bed_noise(BED_BANK_LAYER, at, wide).z, bed_noise(BED_MEADOW_LAYER, at, narrow).z);
 }
 
-// What a pixel shows of the bed.
+// The ground of the bed in a pixel.
 struct BedGround {
   albedo: vec3f,
   // Slope of its sand ripples along the first side of their tile.

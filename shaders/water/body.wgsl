@@ -37,7 +37,7 @@ fn water_reflectance(plume: f32) -> vec3f {
 fn water_entering_sunlight(n: vec3f) -> vec3f {
   let l = frame.sun_direction;
   let cosine = dot(n, l);
-  let facing = max(0.5 * cosine + 0.5 * l.y, 0.0);
+  let facing = max(0.5 * (cosine + l.y), 0.0);
   return cloud_sun_irradiance() * (facing * (1.0 - water_fresnel(max(cosine, 0.0))));
 }
 
@@ -54,7 +54,7 @@ fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
   let view = (sun_in + 0.85) / (sun_in + clamp(-ray.y, 0.3, 1.0));
   let view_factor = max(mix(1.0, view, material.scatter_view_dependence), 0.0);
   let sun = water_entering_sunlight(n) * (material.sunlight_scatter_factor * view_factor);
-  let sky_factor = material.skylight_scatter_factor * WATER_SKYLIGHT_TRANSMITTANCE * (0.5 + 0.5 * n.y);
+  let sky_factor = 0.5 * WATER_SKYLIGHT_TRANSMITTANCE * material.skylight_scatter_factor * (1.0 + n.y);
   let sky = light.sky_irradiance * sky_factor;
   // Upwelling light is uneven over the hemisphere: irradiance / radiance is Q = 4 sr. Half of it is reflected back.
   return (sun + sky) * (r / (4.0 - 1.92 * r));
@@ -85,13 +85,13 @@ fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f
     return vec3f(0.0);
   }
   // The far side of the crest slopes the opposite way.
-  let back = normalize(vec3f(-n.x, n.y, -n.z));
+  let back = vec3f(-n.x, n.y, -n.z);
   let entry = max(dot(back, frame.sun_direction), 0.0);
   let beam = water_refract(-frame.sun_direction, back);
   let phase = atm_henyey_greenstein(dot(beam, -ray), WATER_CREST_MEAN_COSINE);
   let through = water_crest_transmittance(rise, jacobian, plume);
   let sun = cloud_sun_irradiance() * (entry * (1.0 - water_fresnel(entry)) * phase);
   // The bright sky behind the crest shines through it, too.
-  let sky = light.sky_irradiance * (0.25 * saturate(1.0 + ray.y) / ATM_PI);
+  let sky = light.sky_irradiance * (0.25 / ATM_PI * saturate(1.0 + ray.y));
   return (sun + sky) * through * (material.crest_transmission * thin);
 }

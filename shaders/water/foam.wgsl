@@ -9,8 +9,8 @@ const FOAM_THREAD_LAYER = 3u;
 const FOAM_FRONT_WEIGHTS = vec4f(0.1, 0.75, 0.8, 0.8);
 // Reciprocal of the standard deviations of the values of cloud (evenly spread) and of lace and lumps (normal).
 const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
-// Softness of the edges of film and of body, in deviations of the pattern, of old foam (x) and of a front (y).
-const FOAM_FILM_SOFTNESS = vec2f(0.2, 0.2);
+// Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
+const FOAM_FILM_SOFTNESS = 0.2;
 const FOAM_BODY_SOFTNESS = vec2f(0.1, 0.14);
 // Opacity of the film, and what the body adds where it lies on it. A film of bubbles is bluish, because water shows
 // through.
@@ -34,8 +34,6 @@ const FOAM_FRONT_RANGE = vec2f(0.3, 0.9);
 // Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
 // the mean of fronts and of the rest is that of the simulated foam, within 2 % in winds of 8 to 26 m/s.
 const FOAM_FRONT_SHARES = vec2f(0.27, 0.13);
-// Reciprocal of the width of a front, 1/m.
-const FOAM_INVERSE_FRONT_WIDTH = 0.07;
 // Mean of the plume relative to that of the foam.
 const FOAM_MEAN_PLUME_RATIO = 1.4;
 // Amount of foam, 0 to 1, below which none is drawn.
@@ -71,26 +69,26 @@ struct FoamAppearance {
   rough: f32,
 }
 
-// What is drawn of the foam of the simulation: foam (x), its current source (y), fronts (z) and plume (w), in cells of
-// which a front fills the fraction `filled` at most. The share `beyond` of a pixel lies beyond all levels, where the
-// means are drawn.
+// Foam in a pixel, from values of the foam map: foam (x), its current source (y), front of a breaker (z) and plume of
+// bubbles (w). A front fills at most the fraction `filled` of a cell of the map. The fraction `beyond` of the pixel lies
+// beyond all levels of the map, where the sea's means are drawn.
 fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
-  let front = filled * maths_smooth((cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x));
   let mean = beyond * frame.mean_foam;
+  let plume = cell.w + FOAM_MEAN_PLUME_RATIO * mean;
+  // Most pixels have no front, and less foam than is drawn.
+  if cell.z <= FOAM_FRONT_RANGE.x && (cell.x + mean) * frame.foam_amount < FOAM_MIN_AMOUNT {
+    return FoamAmount(0.0, 0.0, plume);
+  }
+  let front = filled * maths_smooth((cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x));
   let rest = (1.0 - FOAM_FRONT_SHARES.x * filled) / (1.0 - FOAM_FRONT_SHARES.y * filled);
   let all = front + (1.0 - front) * (rest * cell.x) + mean;
   let fresh = (front + FOAM_FRONT_SHARES.x * mean) / max(all, 1e-4);
-  return FoamAmount(min(all * frame.foam_amount, 1.0), fresh, cell.w + FOAM_MEAN_PLUME_RATIO * mean);
-}
-
-// Fraction of a cell that a front fills at most: the fronts are a few metres wide.
-fn foam_filled(inverse_cell: f32) -> f32 {
-  return inverse_cell / (inverse_cell + FOAM_INVERSE_FRONT_WIDTH);
+  return FoamAmount(min(all * frame.foam_amount, 1.0), fresh, plume);
 }
 
 // Foam in a pixel, from the finest levels that hold the pixel and are no finer than it; beyond all levels, its mean.
 fn foam_level(at: vec2f, pixel: WaterFootprint) -> FoamAmount {
-  let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
+  let half_whole_m = 0.5 * WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
   let half_axis = 0.5 * abs(pixel.axis);
   // Two samples if the pixel is longer than a cell of the finest level.
   let has_halves = pixel.length_m * frame.foam_levels[0].inverse_cell > 1.0;
@@ -101,7 +99,7 @@ fn foam_level(at: vec2f, pixel: WaterFootprint) -> FoamAmount {
     let map = frame.foam_levels[level];
     let off = abs(at - map.centre) + half_axis;
     let inside = saturate(5.0 - 5.0 * max(off.x, off.y) * map.inverse_half_side);
-    let coarse = saturate(2.0 - 0.5 * whole_m * map.inverse_cell);
+    let coarse = saturate(2.0 - half_whole_m * map.inverse_cell);
     let share = left * inside * coarse;
     if share <= 0.0 {
       continue;
@@ -115,7 +113,7 @@ fn foam_level(at: vec2f, pixel: WaterFootprint) -> FoamAmount {
     } else {
       foam += share * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0);
     }
-    filled += share * foam_filled(map.inverse_cell);
+    filled += share * map.front_fill;
     left -= share;
   }
   return foam_amount(foam, filled, left);
@@ -177,8 +175,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   noise.w = 0.5 + dot(turn, threads.ra - 0.5);
   // Edges (x) and sharpness (y) of film and body.
   let quantile = foam_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
-  let soft = vec2f(
-    mix(FOAM_FILM_SOFTNESS.x, FOAM_FILM_SOFTNESS.y, fresh), mix(FOAM_BODY_SOFTNESS.x, FOAM_BODY_SOFTNESS.y, fresh));
+  let soft = vec2f(FOAM_FILM_SOFTNESS, mix(FOAM_BODY_SOFTNESS.x, FOAM_BODY_SOFTNESS.y, fresh));
   let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
   let edge = sqrt(1.0 + soft * soft) * (quantile + shift);
   let sharp = inverseSqrt(soft * soft + unresolved);

@@ -8,11 +8,11 @@ const WATER_GLINTS_PER_DENSITY = 150.0;
 // Expected number of glints from which their light is drawn as a whole.
 const WATER_MANY_GLINTS = 4.0;
 
-// The pixel whose glints are counted.
+// The pixel whose glints are counted. Without separate glints it is not used.
 struct WaterGlints {
-  // Its area on the undisplaced sea, m2; 0 for a mean over all glints.
+  // Area of the pixel on the undisplaced sea, m2.
   area_m2: f32,
-  // Its position in the picture.
+  // Column and row of the pixel in the picture.
   pixel: vec2u,
 }
 

@@ -118,7 +118,7 @@ fn lean_foam_level(at: vec2f, foot: LeanFootprint) -> FoamAmount {
     if max(off.x, off.y) * map.inverse_half_side < 1.0 && texel_m * map.inverse_cell < 3.0 {
       let uv = map.uv_below_eye + at * map.inverse_side;
       cell = textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0);
-      filled = foam_filled(map.inverse_cell);
+      filled = map.front_fill;
       break;
     }
   }

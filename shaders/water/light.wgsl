@@ -86,8 +86,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let place = water_position(in.ray, pixel);
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
   let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
-  let x = water_pixel_side(dpdx(at), shear_and_side.y);
-  let y = water_pixel_side(dpdy(at), shear_and_side.y);
+  // Fine derivatives, because coarse ones may come from the other row of a quad of pixels, which may show the sky.
+  let x = water_pixel_side(dpdxFine(at), shear_and_side.y);
+  let y = water_pixel_side(dpdyFine(at), shear_and_side.y);
   let dx = frame.footprint_scale * x.side;
   let dy = frame.footprint_scale * y.side;
   let foot = water_footprint(dx, dy);
@@ -102,13 +103,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
     slope = water_slope_with_carried(at, water_moved(point), foot, foot, carried, true, gust);
   }
-  // If a neighbouring pixel shows another wave, the difference is not a change of slope within this pixel. A neighbour
-  // beyond the horizon has no slope at all: its depth is 0, and some GPUs make any number of it. Coarse derivatives may
-  // come from the other row or column of the quad, which may lie beyond the horizon.
-  let is_water = select(0.0, 1.0, textureLoad(depth_map, pixel, 0) > 0.0);
-  let shore = vec2f(dpdxFine(is_water), dpdyFine(is_water));
-  let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shore.x == 0.0);
-  let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && shore.y == 0.0);
+  // If a neighbouring pixel shows another wave or the sky, the difference is not a change of slope within this pixel.
+  let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth);
+  let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth);
   let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
   return water_radiance(point, foot, bent, gust, vec2u(pixel));
 }

@@ -28,6 +28,9 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope, glints:
   let factor = material.fresnel_slope_factor;
   let factor_square = factor * factor;
   let unscaled = v.y * (1.0 - factor);
+  // The binary logarithm of a node's width, which is close to 1, shifts the layer of the mirrored sky.
+  let layers_per_width = 1.442695 / MIRRORED_LAYERS;
+  let layer_of_no_width = quadrature.sky_layer - layers_per_width;
   var sum = vec3f(0.0);
   var sum_f = 0.0;
   var weights = 0.0;
@@ -41,13 +44,12 @@ fn water_mirror_among(v: vec3f, surface: WaterSlope, others: WaterSlope, glints:
     let towards_eye = facing * node.past_low;
     let cosine = (unscaled + factor * towards_eye) * inverseSqrt(scaled_square);
     let reflected = node.weight * water_fresnel(cosine);
-    var layer = quadrature.sky_layer;
+    var layer = 0.0;
     if WATER_GGX {
       let interval = 1.3 * node.width * eye.tilt.sigma * (1.0 + 0.5 * node.tilt * node.tilt) * quadrature.part;
       layer = water_sky_layer(interval);
     } else {
-      // The binary logarithm of the width, which is close to 1.
-      layer += (1.442695 / MIRRORED_LAYERS) * (node.width - 1.0);
+      layer = layer_of_no_width + layers_per_width * node.width;
     }
     let slope_at = quadrature.slope + node.tilt * quadrature.slope_per_tilt;
     sum += reflected * water_mirrored_sky(v, slope_at, towards_eye, 1.0 + square, layer);
@@ -142,7 +144,7 @@ fn water_glitter(
   if material.fresnel_slope_factor != 1.0 {
     f = water_facet_fresnel(v, mirror_slope);
   }
-  let strength = material.glitter_strength * saturate(material.glitter_fresnel_scale * f);
+  var strength = material.glitter_strength * saturate(material.glitter_fresnel_scale * f);
   if WATER_POINT_SAMPLES {
     let eye = water_tilt_towards(v, others);
     let lit = water_tilt_towards(l, others);
@@ -158,19 +160,18 @@ fn water_glitter(
   var sum = 0.0;
   var seen = 0.0;
   let halves = select(1, 2, is_split);
-  var gain = 1.0;
-  if WATER_GLINTS && glints.area_m2 > 0.0 {
+  if WATER_GLINTS {
     var mean = water_slope_density_at(density, squares.x);
     if is_split {
       mean = 0.5 * (mean + water_slope_density_at(density, squares.y));
     }
-    gain = water_glint_gain(glints, mean);
+    strength *= water_glint_gain(glints, mean);
   }
   for (var i = 0; i < halves; i++) {
     let facets = water_slope_density_at(density, squares.x);
     let brightness = water_glitter_brightness(v, h, facets, part, eye, lit, 1.0, reflectance);
     // A reflection is not brighter than the sun's disc.
-    sum += brightness.y * min(gain * strength * brightness.x, frame.sun_radiance_per_irradiance);
+    sum += brightness.y * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
     seen += brightness.y;
     // The second half.
     squares = squares.yx;

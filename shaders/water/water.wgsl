@@ -80,7 +80,10 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if WATER_FOAM {
     foam = foam_level(point.undisplaced, foot);
   }
-  let glints = WaterGlints(foot.length_m * foot.width_m, pixel);
+  var glints: WaterGlints;
+  if WATER_GLINTS {
+    glints = WaterGlints(foot.length_m * foot.width_m, pixel);
+  }
   let mirror = water_mirror_among(v, slope, around, glints);
   // Viewing ray after refraction at the mean facet.
   let ray = water_refract(-v, n);

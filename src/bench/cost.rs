@@ -112,7 +112,7 @@ pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
 pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 21.0, reads: 0.0, max_ops: 21.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
-pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 3053.5, reads: 31.4, max_ops: 4951.0, max_reads: 57.0 };
+pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2999.9, reads: 30.4, max_ops: 4905.0, max_reads: 56.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the lean tier.
 pub const LEAN_LIGHT_FRAGMENT_COST: ShaderCost =
     ShaderCost { ops: 1379.5, reads: 13.1, max_ops: 2304.0, max_reads: 19.0 };

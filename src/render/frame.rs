@@ -22,6 +22,8 @@ const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
 const CARRIED_WAVE_TEXELS: f64 = 7.0;
 /// Maps whose shortest wave is longer than this number of texels are smooth enough without a spline.
 const SMOOTH_WAVE_TEXELS: f64 = 6.0;
+/// Width of the front of a breaker, m.
+const FRONT_WIDTH_M: f64 = 1.0 / 0.07;
 /// Scale heights of air molecules and of aerosol, m (WGSL `ATM_RAYLEIGH_SCALE_HEIGHT_KM`, `ATM_AEROSOL_SCALE_HEIGHT_KM`).
 const AIR_SCALE_HEIGHTS_M: [f64; 2] = [8400.0, 1200.0];
 /// Largest number of ripple layers, the shrunk copies of finest cascades: one for each of the two seas of a cross-fade.
@@ -86,7 +88,8 @@ gpu_struct! {
         pub uv_below_eye: [f32; 2],
         /// Reciprocal of the side of the foam level's square, 1/m.
         pub inverse_side: f32,
-        unused: u32,
+        /// Fraction of a cell that the front of a breaker fills at most.
+        pub front_fill: f32,
     }
 }
 
@@ -227,7 +230,7 @@ impl FrameFoamGrid {
             inverse_cell: (1.0 / level.cell_m) as f32,
             uv_below_eye: below_eye.map(|x| (x / side_m).rem_euclid(1.0) as f32),
             inverse_side: (1.0 / side_m) as f32,
-            unused: 0,
+            front_fill: (1.0 / (1.0 + level.cell_m / FRONT_WIDTH_M)) as f32,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What tells the clouds of a scene: the uniform of the passes that compute them, made from kind, cover and wind.
+//! Parameters of the volumetric clouds of a scene, from their kind, cover and wind, for the passes that compute them.
 
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::Scene;
@@ -25,7 +25,7 @@ gpu_struct! {
         pub details_per_km: f32,
         /// Height of the heads that the noise adds to the clouds and takes from them, km.
         pub shape_amplitude: f32,
-        /// The same for the fine noise.
+        /// Height of the heads that the fine noise adds to the clouds and takes from them, km.
         pub detail_amplitude: f32,
         /// Reciprocal of the depth in which the cloud becomes dense, 1/km.
         pub sharpness: f32,
@@ -214,7 +214,7 @@ impl Clouds {
         Some(Self { field, eye_km })
     }
 
-    /// What determines the maps of weather and shadow: the field without the position of the eye.
+    /// The field without the position of the eye. The maps of weather and shadow depend on it, and on the sun.
     pub fn fixed(&self) -> CloudField {
         CloudField { eye_km: [0.0; 2], ..self.field }
     }

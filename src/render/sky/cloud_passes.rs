@@ -1,7 +1,7 @@
 //! Compute passes of the volumetric clouds: noise, weather, shadow and dome.
 
 use super::cloud_field::CloudField;
-use super::table_pass::{TablePass, workgroups};
+use super::table_pass::{TABLE_USAGE, TablePass, volume_texture, workgroups};
 use super::uniform::{LightBuffer, SkyUniform};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, mip_view};
@@ -14,7 +14,6 @@ pub const MAP_SIDE: u32 = 256;
 const NOISE_SIDES: [u32; 2] = [64, 128];
 const FINE_NOISE_COLUMNS: u32 = 2048;
 const NOISE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-const USAGE: wgpu::TextureUsages = wgpu::TextureUsages::TEXTURE_BINDING.union(wgpu::TextureUsages::STORAGE_BINDING);
 
 /// Tables of the sky that the passes of the clouds read.
 pub struct SharedTables<'a> {
@@ -41,20 +40,6 @@ pub struct CloudPasses {
     pub dome: TablePass,
     /// Whether the noise has been computed.
     pub has_noise: bool,
-}
-
-fn noise_texture(gpu: &Gpu, side: u32) -> wgpu::TextureView {
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("sky/cloud noise"),
-        size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: side },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D3,
-        format: NOISE_FORMAT,
-        usage: USAGE,
-        view_formats: &[],
-    });
-    texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
 fn repeating_sampler(gpu: &Gpu) -> wgpu::Sampler {
@@ -98,8 +83,8 @@ impl CloudPasses {
         let format = shaders.map_format(gpu).texture_format();
         let image = BindingType::StorageTexture(format);
         let side = NOISE_SIDES[usize::from(dome_size[0] >= FINE_NOISE_COLUMNS)];
-        let noise = noise_texture(gpu, side);
-        let weather = gpu.texture("sky/cloud weather", [MAP_SIDE, MAP_SIDE, 1], 1, format, USAGE);
+        let noise = volume_texture(gpu, "sky/cloud noise", [side; 3], NOISE_FORMAT);
+        let weather = gpu.texture("sky/cloud weather", [MAP_SIDE, MAP_SIDE, 1], 1, format, TABLE_USAGE);
         let weather = weather.create_view(&wgpu::TextureViewDescriptor::default());
         let sampler = repeating_sampler(gpu);
         let shadow = mip_view(maps.shadow, 0);

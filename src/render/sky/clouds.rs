@@ -6,7 +6,7 @@
 pub use super::cloud_field::CloudField;
 use super::cloud_field::Clouds;
 use super::cloud_passes::{CloudMaps, CloudPasses, MAP_SIDE, SharedTables};
-use super::table_pass::workgroups;
+use super::table_pass::{TABLE_USAGE, workgroups};
 use super::uniform::SkyUniform;
 use crate::gpu::Gpu;
 use crate::gpu::kit::BindingType;
@@ -35,7 +35,7 @@ gpu_struct! {
     pub struct CloudView as "Clouds" {
         /// Distance (x, z), km, by which the clouds have moved relative to the eye since the newest dome was filled.
         new_shift_km: [f32; 2],
-        /// The same for the dome before it.
+        /// Distance (x, z), km, by which they have moved since the dome before the newest one was filled.
         old_shift_km: [f32; 2],
         /// Layer of the newest complete dome, and of the one before.
         new_layer: u32,
@@ -95,8 +95,7 @@ pub struct CloudPass {
 }
 
 fn dome_texture(gpu: &Gpu, format: wgpu::TextureFormat, [width, height, layers]: [u32; 3]) -> wgpu::Texture {
-    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
-    gpu.texture("sky/cloud dome", [width, height, layers], 1, format, usage)
+    gpu.texture("sky/cloud dome", [width, height, layers], 1, format, TABLE_USAGE)
 }
 
 fn array_view(texture: &wgpu::Texture) -> wgpu::TextureView {
@@ -110,9 +109,8 @@ impl CloudPass {
     /// Creates the small resources that every picture binds; the others follow with the first clouds.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let format = shaders.map_format(gpu).texture_format();
-        let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
         let mips = MAP_SIDE.ilog2() + 1;
-        let shadow_texture = gpu.texture("sky/cloud shadow", [MAP_SIDE, MAP_SIDE, 1], mips, format, usage);
+        let shadow_texture = gpu.texture("sky/cloud shadow", [MAP_SIDE, MAP_SIDE, 1], mips, format, TABLE_USAGE);
         let dome = array_view(&dome_texture(gpu, format, [1, 1, 1]));
         let layout =
             gpu.bind_group_layout("sky/cloud dome", wgpu::ShaderStages::FRAGMENT, &[BindingType::TextureArray]);

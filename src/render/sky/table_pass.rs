@@ -4,6 +4,30 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
 use crate::gpu::timer::Timer;
 
+/// Usage of a table: passes write it, and shaders read it.
+pub const TABLE_USAGE: wgpu::TextureUsages =
+    wgpu::TextureUsages::TEXTURE_BINDING.union(wgpu::TextureUsages::STORAGE_BINDING);
+
+/// A 3D table of `size` texels without mip levels.
+pub fn volume_texture(
+    gpu: &Gpu,
+    label: &str,
+    [width, height, depth_or_array_layers]: [u32; 3],
+    format: wgpu::TextureFormat,
+) -> wgpu::TextureView {
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D3,
+        format,
+        usage: TABLE_USAGE,
+        view_formats: &[],
+    });
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
 /// Number of workgroups of 8 x 8 threads, along x, y and z, that cover a 2d table of `size` texels.
 pub fn workgroups([width, height]: [u32; 2]) -> [u32; 3] {
     [width.div_ceil(8), height.div_ceil(8), 1]

@@ -6,7 +6,7 @@ use super::cloud_field::Clouds;
 use super::cloud_passes::SharedTables;
 use super::clouds::{CloudPass, CloudView};
 use super::panorama::PanoramaTextures;
-use super::table_pass::{TablePass, workgroups};
+use super::table_pass::{TABLE_USAGE, TablePass, volume_texture, workgroups};
 use super::uniform::{LightBuffer, SkyUniform};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, mip_view};
@@ -32,20 +32,6 @@ const LIGHT_WORKGROUPS: u32 = 4;
 /// Size, bytes, of the buffer with the partial sums of the sky's light: for each thread 16 bytes, which are an RGB
 /// irradiance and a luminance in f32.
 const LIGHT_PARTS_BYTES: u64 = 16 * 64 * LIGHT_WORKGROUPS as u64;
-
-fn mirrored_sky_texture(gpu: &Gpu, format: wgpu::TextureFormat) -> wgpu::Texture {
-    let [width, height, depth_or_array_layers] = MIRRORED_SIZE;
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("sky/mirrored"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D3,
-        format,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING,
-        view_formats: &[],
-    })
-}
 
 /// Look-up tables of the sky (clear air, environment map, light on the sea), and the compute passes that fill them.
 pub struct SkyTables {
@@ -75,10 +61,8 @@ impl SkyTables {
     /// Allocates the tables and compiles their passes; nothing is computed yet.
     pub fn new(gpu: &Gpu, shaders: &Shaders, noise: &NoiseTexture) -> Self {
         let format = shaders.map_format(gpu).texture_format();
-        let texture = |label, [width, height]: [u32; 2], mips| {
-            let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
-            gpu.texture(label, [width, height, 1], mips, format, usage)
-        };
+        let texture =
+            |label, [width, height]: [u32; 2], mips| gpu.texture(label, [width, height, 1], mips, format, TABLE_USAGE);
         let whole = |t: &wgpu::Texture| t.create_view(&wgpu::TextureViewDescriptor::default());
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_SRC;
         let surroundings = texture("sky/environment", ENVIRONMENT_SIZE, ENVIRONMENT_MIP_LEVELS);
@@ -89,7 +73,7 @@ impl SkyTables {
             sky_view: whole(&texture("sky/view", SKY_VIEW_SIZE, 1)),
             environment: whole(&surroundings),
             environment_texture: surroundings.clone(),
-            mirrored: whole(&mirrored_sky_texture(gpu, format)),
+            mirrored: volume_texture(gpu, "sky/mirrored", MIRRORED_SIZE, format),
             sampler: gpu.sampler(
                 "sky",
                 [wgpu::AddressMode::Repeat, wgpu::AddressMode::ClampToEdge],

@@ -44,9 +44,10 @@ impl LayerShape {
 }
 
 /// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), four of the bed (banks and
-/// channels, meadows, coral heads, ripples of the sand), gusts and slicks. Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows
-/// gather old foam between the rolls of the Langmuir circulation, 10 to 100 m apart, in winds above 8 m/s. Foam
-/// moves with the water that it lies on, gusts are carried by the air, and slicks by the surface current.
+/// channels, meadows, coral heads, ripples of the sand), gusts and slicks. Sides and angles have no common period, so
+/// that the sum of the layers does not repeat. Windrows gather old foam between the rolls of the Langmuir circulation,
+/// 10 to 100 m apart, in winds above 8 m/s. Foam moves with the water that it lies on, gusts are carried by the air, and
+/// slicks by the surface current.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::foam([1310.0, 530.0, 0.0, 2.5], [0.36, 0.35]),
     LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.85, 0.0]),

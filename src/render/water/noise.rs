@@ -279,7 +279,7 @@ mod tests {
             [0, 1, 2, 3].map(|channel| if channel % 3 == 0 { 0.5 + 0.6745 * NORMAL_DEVIATION } else { 0.75 });
         for (channel, threshold) in upper_quartile.into_iter().enumerate() {
             let above = tile.iter().filter(|t| t[channel] > threshold).count();
-            assert!((above as f32 / tile.len() as f32 - 0.25).abs() < 2e-3, "{channel}");
+            assert!((above as f32 / tile.len() as f32 - 0.25).abs() < 1e-3, "{channel}");
         }
     }
 
