@@ -23,7 +23,7 @@ use std::sync::{LazyLock, Mutex};
 const SEAS: [&str; 3] = ["n=256", "n=512", "n=1024"];
 /// Pictures that together need the renderer's pipelines: one for each part that shaders have or lack, except for a sky
 /// from a file, which no state string holds.
-const PICTURES: [&str; 15] = [
+const PICTURES: [&str; 19] = [
     "",
     "detail=lean",
     "foam=0",
@@ -34,6 +34,10 @@ const PICTURES: [&str; 15] = [
     "fresnel=schlick",
     "fog=1",
     "overcast=0.5",
+    "clouds=cumulus",
+    "glints=1",
+    "gusts=1",
+    "clouds=cumulus&glints=1&gusts=1&depth=4&caustics=1",
     "sun=-20",
     "view=height",
     "view=normals",
