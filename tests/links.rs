@@ -1,6 +1,7 @@
 //! Links keep their meaning: each link in tests/links.txt opens a sea of the recorded significant wave height.
 
 use seastate::lab::gallery::GALLERY_PICTURES;
+use seastate::state::start::START;
 use seastate::state::{presets, query};
 use seastate::waves::Plan;
 use seastate::waves::statistics::SpectrumStatistics;
@@ -43,7 +44,8 @@ fn what_the_program_and_its_pages_link_to_is_among_them() {
     let gallery = GALLERY_PICTURES.iter().map(|sea| sea.state.to_owned());
     let built_in = presets::built_in().iter().map(|preset| preset.state.clone());
     let pages = [include_str!("../README.md"), include_str!("../docs/using.md"), include_str!("../docs/embedding.md")];
-    let all = gallery.chain(built_in).chain(pages.into_iter().flat_map(quoted));
+    let all =
+        std::iter::once(START.to_owned()).chain(gallery).chain(built_in).chain(pages.into_iter().flat_map(quoted));
     let missing: Vec<String> = all.filter(|state| !known.contains(&query::parse(&as_link(state)).0)).collect();
     assert_eq!(missing, Vec::<String>::new(), "tests/links.txt lacks these");
 }

@@ -1,4 +1,4 @@
-// Buoys and boats: painted hulls in the light of sun, sky and sea. Their triangles come from
+// Buoys, boats and yachts: painted hulls and sails in the light of sun, sky and sea. Their triangles come from
 // src/render/water/hulls.rs.
 
 @group(1) @binding(0) var<storage, read> hull_vertices: array<HullVertex>;
@@ -10,7 +10,8 @@ struct HullFragment {
   @builtin(position) clip: vec4f,
   @location(0) position: vec3f,
   @location(1) normal: vec3f,
-  @location(2) colour: vec3f,
+  // Linear RGB of the paint; alpha is the fraction of the sunlight that shines through a sail.
+  @location(2) colour: vec4f,
 }
 
 @vertex
@@ -19,30 +20,36 @@ fn vertex(@builtin(vertex_index) i: u32) -> HullFragment {
   let drop = dot(hull.position.xz, hull.position.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
   let place = hull.position - vec3f(0.0, drop + frame.eye_height_m, 0.0);
   // A square approximates the sRGB curve well enough for paint.
-  let encoded = unpack4x8unorm(hull.colour).rgb;
-  return HullFragment(frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, encoded * encoded);
+  let encoded = unpack4x8unorm(hull.colour);
+  let colour = vec4f(encoded.rgb * encoded.rgb, encoded.a);
+  return HullFragment(frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, colour);
 }
 
 @fragment
 fn fragment(in: HullFragment) -> @location(0) vec4f {
-  let n = normalize(in.normal);
   let distance_m = length(in.position);
   let dir = in.position / distance_m;
+  let through = in.colour.a;
+  // The eye sees both sides of a sail.
+  let n = normalize(in.normal) * select(1.0, -1.0, through > 0.0 && dot(in.normal, dir) > 0.0);
   let up = 0.5 + 0.5 * n.y;
   var sunlight = light.sun_irradiance;
   if clouds.height_km > 0.0 {
     sunlight *= cloud_sun_transmittance(in.position.xz, 0.0);
   }
-  let sun = sunlight * max(dot(n, frame.sun_direction), 0.0);
+  let sun_cosine = dot(n, frame.sun_direction);
+  let sun = sunlight * max(sun_cosine, 0.0);
   let on_sea = light.sky_irradiance + sunlight * max(frame.sun_direction.y, 0.0);
   let around = light.sky_irradiance * up + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
+  let diffuse = mix(sun, sunlight * max(-sun_cosine, 0.0), through);
   // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);
   let sheen = 0.04 + 0.96 * pow(saturate(1.0 + dot(dir, n)), 5.0);
   let sky_there = light.sky_irradiance * (0.32 * (0.5 + 0.5 * mirror.y));
   let half = normalize(frame.sun_direction - dir);
   let glint = 0.04 * 20.0 * pow(max(dot(n, half), 0.0), 160.0) * sun;
-  let surface = in.colour * (sun + around) / ATM_PI + 0.5 * sheen * sky_there + glint / ATM_PI;
+  let lacquer = select(0.5 * sheen * sky_there + glint / ATM_PI, vec3f(0.0), through > 0.0);
+  let surface = in.colour.rgb * (diffuse + around) / ATM_PI + lacquer;
   let air = air_to_point(dir, distance_m);
   return frame_hdr_output(surface * air[1] + air[0], 1.0 / distance_m);
 }

@@ -72,7 +72,7 @@ pub struct App {
     drawn: Option<(Params, [u32; 2])>,
     /// Record of the height of the sea, m above still water, at the first floating object, else below the camera.
     record: BuoyRecord,
-    /// Kind of floating object (buoy or boat) that the next click on the sea places; `None` if a click places nothing.
+    /// Kind of floating object that the next click on the sea places; `None` if a click places nothing.
     placing: Option<floats::FloatingObjectKind>,
     save_folder: Option<std::path::PathBuf>,
     /// Results of attempts to save a file: a message for the user with the path, or the reason for the failure.

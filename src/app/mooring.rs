@@ -1,17 +1,17 @@
-//! Places buoys and boats on the sea, where the user clicks or presses B.
+//! Places floating objects on the sea, where the user clicks or presses B.
 
 use super::App;
 use crate::state::camera::View;
 use crate::state::floats::{self, FloatingObject};
 
-/// Largest distance from the camera at which a buoy or boat can be placed, m. Farther away it is too small to see.
+/// Largest distance from the camera at which a floating object can be placed, m. Farther away it is too small to see.
 const MAX_FLOATING_OBJECT_DISTANCE_M: f64 = 3000.0;
 /// Number of iterations that find where a line of sight meets the waves. Each intersects the line with the horizontal
 /// plane at the height of the water at the point found before.
 const WATER_INTERSECTION_ITERATIONS: usize = 8;
 
 impl App {
-    /// Places a buoy at the pointer when B is pressed, or, after a choice in the panel, a buoy or boat where the sea is
+    /// Places a buoy at the pointer when B is pressed, or, after a choice in the panel, that object where the sea is
     /// clicked. A message says if there is no water or no room for more.
     pub(super) fn place_floating_object(&mut self, response: &egui::Response, ctx: &egui::Context) {
         if self.placing.is_some() && response.hovered() {

@@ -7,6 +7,7 @@ use super::{App, setup, tasks};
 use crate::bench::{self, BenchOptions, PassTiming};
 use crate::gpu::Gpu;
 use crate::ocean::Ocean;
+use crate::state::start::{DEFAULT_SEA, given_or_start};
 use crate::state::{Params, query, rounding::with_rounded_pose};
 use half::f16;
 use std::cell::RefCell;
@@ -257,7 +258,7 @@ async fn park_when_lost(runner: eframe::WebRunner, parked: ParkedApp, gpu_errors
 
 /// Creates an app with the state string in the page's address. Its clock is stopped if the user prefers reduced motion.
 fn app_from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
-    let mut app = App::new(cc, &format!("?{}", address_query()))?;
+    let mut app = App::new(cc, &address_link(&address_query()))?;
     if prefers_reduced_motion() {
         app.params.clock.paused = true;
     }
@@ -268,11 +269,16 @@ fn address_query() -> String {
     eframe::web::web_location().query
 }
 
-/// Address (URL) of this web page with the given state string as its query; without a query if the string is empty.
+/// Link to the sea of the page's address with the query `query`.
+fn address_link(query: &str) -> String {
+    format!("?{}", given_or_start(query))
+}
+
+/// Address (URL) of this web page with the given state string as its query; an empty one is the default sea.
 pub fn page_link(state: &str) -> String {
     let location = eframe::web::web_location();
     let base = location.url.split(['?', '#']).next().unwrap_or_default().to_owned();
-    if state.is_empty() { base } else { format!("{base}?{state}") }
+    format!("{base}?{}", if state.is_empty() { DEFAULT_SEA } else { state })
 }
 
 /// The page's address (URL) as the app last read or wrote it. If the browser's address then differs, the user went back
@@ -307,7 +313,7 @@ impl App {
         let query = address_query();
         if query != self.address.query {
             let clock = self.params.clock.clone();
-            self.set_state(&format!("?{query}"));
+            self.set_state(&address_link(&query));
             // A running clock keeps its time, unless the opened link stops the clock.
             if !clock.paused && !self.params.clock.paused {
                 self.params.clock.t_s = clock.t_s;

@@ -2,6 +2,7 @@
 
 use crate::files::measured::MeasuredSpectrum;
 use crate::lab::flip;
+use crate::state::start::START;
 use crate::state::{Params, query};
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -32,7 +33,7 @@ pub struct Cli {
 /// The arguments that describe a sea: state string, measured spectrum and sky image.
 #[derive(clap::Args)]
 pub struct SeaArgs {
-    /// State string of the sea
+    /// State string of the sea. Without it the window opens with a composed sea, and a command takes the defaults
     state: Option<String>,
     /// Measured spectrum to show: NDBC text (density, alpha1, alpha2, r1, r2 in one file or several), CSV of f, S,
     /// direction, spread or of densities over f and direction, SWAN (.spc, .sp2), WAVEWATCH III (text or NetCDF), ERA5
@@ -49,6 +50,14 @@ pub struct SeaArgs {
 }
 
 impl SeaArgs {
+    /// These arguments with the state of the first sea, if they name neither a state nor a spectrum.
+    pub fn or_start(mut self) -> Self {
+        if self.spectrum.is_empty() && self.state.as_deref().is_none_or(str::is_empty) {
+            self.state = Some(START.to_owned());
+        }
+        self
+    }
+
     /// Reads the parameters and the named files. Also returns notices about everything that was changed or ignored.
     pub fn read(&self) -> Result<(Params, Vec<String>), String> {
         let (mut params, mut notices) = query::parse(self.state.as_deref().unwrap_or_default());

@@ -20,7 +20,7 @@ const KEYS_NOT_IN_FIELDS: [(&str, &str); 3] = [
     ),
     (
         "afloat",
-        "Floating objects: `buoy` or `boat`, metres east, metres south, joined by \\*, separated by _: \
+        "Floating objects: `buoy`, `boat` or `yacht`, metres east, metres south, joined by \\*, separated by _: \
          `buoy*20*-30_boat*0*40`. At most 16.",
     ),
 ];

@@ -68,7 +68,7 @@ pub struct Ocean {
     output: OutputKind,
     appearance: Interpolated<SeaAppearance>,
     plans: Interpolated<WeightedPlans>,
-    /// For each plan whose waves are drawn: the plan, and those of its waves that move the buoys and boats.
+    /// For each plan whose waves are drawn: the plan, and those of its waves that move the floating objects.
     hull_waves: Vec<(Arc<Plan>, HullWaves)>,
     timer: Timer,
 }
@@ -364,7 +364,7 @@ impl Ocean {
         }
     }
 
-    /// Positions and orientations of the buoys and boats at the time of the parameters, in the order in which the
+    /// Positions and orientations of the floating objects at the time of the parameters, in the order in which the
     /// parameters list them; empty until a frame with them has been recorded.
     pub fn hull_poses(&self) -> Vec<HullPose> {
         let (seas, level_m) = (self.drawn_seas(), self.still_water_level_m());

@@ -1,4 +1,4 @@
-//! Position and attitude of floating buoys and boats on the waves.
+//! Position and attitude of floating buoys, boats and yachts on the waves.
 //!
 //! Hulls follow [`StrongestWaves`], which sums the strongest of the drawn waves on the CPU, without read-back or delay.
 
@@ -6,6 +6,7 @@ use super::heights::StrongestWaves;
 use crate::state::floats::{FloatingObject, FloatingObjectKind};
 use crate::waves::Plan;
 use glam::DVec3;
+use std::f64::consts::PI;
 
 /// Largest rms height of the waves that a hull's heave leaves out, as a fraction of the significant wave height.
 const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
@@ -13,11 +14,17 @@ const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
 const TILT_WAVE_COUNT: usize = 500;
 /// FFT size to which a plan is reduced to select the waves that move hulls; a larger FFT only adds short waves.
 const MAX_FFT_SIZE_FOR_FLOATING_OBJECTS: u32 = 128;
+/// Angle between the wind and the bow of a close-hauled yacht. The wind comes from port.
+const CLOSE_HAULED_RAD: f64 = 45.0 * PI / 180.0;
+/// Heel of a close-hauled yacht in 10 m/s of wind; the wind's force on the sails grows with the square of its speed.
+const HEEL_AT_10_M_S_RAD: f64 = 20.0 * PI / 180.0;
+/// Largest heel: a crew reefs the sails before the yacht heels farther.
+const MAX_HEEL_RAD: f64 = 25.0 * PI / 180.0;
 
 /// Position and attitude of a floating hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullPose {
-    /// Type of the hull: buoy or boat.
+    /// Type of the hull.
     pub kind: FloatingObjectKind,
     /// Centre of the waterplane in the world (x, y, z), m.
     pub position_m: [f64; 3],
@@ -32,6 +39,7 @@ fn half_length_and_width_m(kind: FloatingObjectKind) -> [f64; 2] {
     match kind {
         FloatingObjectKind::Buoy => [0.8, 0.8],
         FloatingObjectKind::Boat => [3.2, 1.0],
+        FloatingObjectKind::Yacht => [4.8, 1.5],
     }
 }
 
@@ -44,6 +52,7 @@ pub struct HullWaves {
     tilt_waves: StrongestWaves,
     /// Unit vector (x, z) that points into the local wind.
     upwind: [f64; 2],
+    wind_m_s: f64,
     still_water_level_m: f64,
 }
 
@@ -55,6 +64,7 @@ impl HullWaves {
             heave_waves: StrongestWaves::for_height_error(plan, MAX_HEIGHT_ERROR_TO_HS * plan.hs_m()),
             tilt_waves: StrongestWaves::new(plan, TILT_WAVE_COUNT),
             upwind: plan.downwind.map(|d| -d),
+            wind_m_s: plan.sea.first_system().wind_m_s.into(),
             still_water_level_m: plan.sea.still_water_level_m,
         }
     }
@@ -82,9 +92,18 @@ impl HullWaves {
 
 /// Position and attitude of the hull `float` at time `t_s` (s), with the still water at the height `level_m` (m).
 /// `seas` pairs the waves of each drawn sea (several during a cross-fade, the oldest first) with the cross-fade's
-/// factor on their heights. The bow points into the wind of the last sea.
+/// factor on their heights. The bow points into the wind of the last sea; a yacht sails close-hauled on the port tack and
+/// heels.
 pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &FloatingObject, t_s: f64, level_m: f64) -> HullPose {
-    let bow = seas.last().map_or([0.0, -1.0], |(waves, _)| waves.upwind);
+    let (upwind, wind_m_s) = seas.last().map_or(([0.0, -1.0], 0.0), |(waves, _)| (waves.upwind, waves.wind_m_s));
+    let (turn, heel) = match float.kind {
+        FloatingObjectKind::Buoy | FloatingObjectKind::Boat => (0.0, 0.0),
+        FloatingObjectKind::Yacht => {
+            (CLOSE_HAULED_RAD, (HEEL_AT_10_M_S_RAD * (wind_m_s / 10.0).powi(2)).min(MAX_HEEL_RAD))
+        }
+    };
+    let (sin, cos) = f64::sin_cos(turn);
+    let bow = [cos * upwind[0] - sin * upwind[1], cos * upwind[1] + sin * upwind[0]];
     let mut sum = [level_m, 0.0, 0.0];
     for (waves, amplitude) in seas {
         let parts = waves.heave_pitch_roll(float, bow, t_s);
@@ -93,7 +112,7 @@ pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &FloatingObject, t_s: f64, l
     let [height_m, pitch, roll] = sum;
     let unit = |v: DVec3| v / v.length();
     let forward = unit(DVec3::new(bow[0], pitch, bow[1]));
-    let starboard = unit(DVec3::new(-bow[1], roll, bow[0]));
+    let starboard = unit(DVec3::new(-bow[1], roll - heel.tan(), bow[0]));
     let up = unit(starboard.cross(forward)).to_array();
     HullPose { kind: float.kind, position_m: [float.x_m, height_m, float.z_m], up, forward: forward.to_array() }
 }
@@ -107,7 +126,7 @@ mod tests {
     fn a_hull_lies_on_the_water() {
         let plan = |state: &str| Plan::new(&query::parse(state).0);
         let waves = HullWaves::new(&plan("wind=12&n=64&level=2"));
-        for kind in [FloatingObjectKind::Buoy, FloatingObjectKind::Boat] {
+        for kind in FloatingObjectKind::ALL {
             let float = FloatingObject { kind, x_m: 30.0, z_m: 7.0 };
             for t in 0..20 {
                 let pose = hull_pose(&[(&waves, 1.0)], &float, f64::from(t), 2.0);

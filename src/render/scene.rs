@@ -33,7 +33,7 @@ pub struct Scene {
     pub cloud_drift_m: [f64; 2],
     /// Colour scales of a false-colour view, one for each cascade or, in a view of foam, each foam level; else unused.
     pub colour_scales: [ColourScale; MAX_CASCADES],
-    /// Positions and orientations of the floating buoys and boats in world coordinates.
+    /// Positions and orientations of the floating objects in world coordinates.
     pub hulls: Vec<HullPose>,
     /// Whether the picture may be drawn with the pipelines of the picture before while others are being compiled. A
     /// running sea may, so that new fog or clouds do not stop it; a still may not.

@@ -1,25 +1,27 @@
-//! Floating objects (moored buoys and boats): their kind, their position, and their text in the state string.
+//! Floating objects (moored buoys, boats and yachts): their kind, their position, and their text in the state string.
 
 use super::field::choice_enum;
 use super::text::shortest_decimal;
 
-/// Largest number of floating objects (buoys and boats) that a state string can hold.
+/// Largest number of floating objects  that a state string can hold.
 pub const MAX_FLOATING_OBJECTS: usize = 16;
 
 choice_enum! {
-    /// Kind of a floating object, buoy or boat, that the user can moor on the sea.
+    /// Kind of a floating object, buoy, boat or yacht, that the user can moor on the sea.
     pub enum FloatingObjectKind {
         /// A moored buoy, 3 m high.
         Buoy = "buoy",
         /// A small open boat, 7 m long, with its bow to the waves.
         Boat = "boat",
+        /// A sailing yacht, 11 m long with a mast of 15 m, close-hauled; it heels in the wind.
+        Yacht = "yacht",
     }
 }
 
 /// A floating object, moored at a fixed horizontal position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatingObject {
-    /// Kind of the object: buoy or boat.
+    /// Kind of the object.
     pub kind: FloatingObjectKind,
     /// Position of the mooring east of the world origin, m.
     pub x_m: f64,
@@ -45,7 +47,7 @@ pub fn parse_floating_objects(text: &str) -> Result<Vec<FloatingObject>, String>
         if floats.len() == MAX_FLOATING_OBJECTS {
             return Err(format!("more than {MAX_FLOATING_OBJECTS} objects float"));
         }
-        floats.push(one(part).ok_or("an object is buoy or boat, metres east and metres south, joined by *")?);
+        floats.push(one(part).ok_or("an object is buoy, boat or yacht, metres east and metres south, joined by *")?);
     }
     Ok(floats)
 }

@@ -11,6 +11,7 @@ pub mod presets;
 pub mod query;
 pub mod rounding;
 mod sea;
+pub mod start;
 mod text;
 mod versions;
 pub mod views;

@@ -27,7 +27,7 @@ pub struct Params {
     pub camera: Camera,
     /// Simulated time and its speed.
     pub clock: Clock,
-    /// Floating objects: moored buoys and boats.
+    /// Floating objects: moored buoys, boats and yachts.
     pub floating_objects: Vec<FloatingObject>,
     /// Display settings, such as the resolution scale and the open panel. They do not change the sea.
     pub screen: Screen,

@@ -268,7 +268,7 @@ fn show_camera_views(app: &mut App, ui: &mut egui::Ui) {
     });
 }
 
-/// Adds the widgets that place, list and remove buoys and boats.
+/// Adds the widgets that place, list and remove floating objects.
 fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
         for kind in FloatingObjectKind::ALL {

@@ -3,8 +3,10 @@
 pub mod bed;
 pub mod displace;
 pub mod eye;
+mod hull_shapes;
 pub mod hulls;
 pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod noise;
+mod yacht_shape;

@@ -53,7 +53,8 @@ fn same(field: &Field, a: &Params, b: &Params) -> bool {
 }
 
 /// Ranges of significant wave height, m, and peak period, s, that the description of each built-in preset claims.
-const CLAIMS: [(&str, [f64; 2], [f64; 2]); 19] = [
+const CLAIMS: [(&str, [f64; 2], [f64; 2]); 20] = [
+    ("A fine day", [2.15, 2.3], [11.5, 12.5]),
     ("Calm open ocean", [0.85, 0.95], [9.5, 10.5]),
     ("Large swells", [5.5, 5.7], [9.5, 10.5]),
     ("North Sea gale", [5.5, 6.0], [10.5, 11.5]),
