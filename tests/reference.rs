@@ -178,6 +178,32 @@ fn the_picture_is_near_its_reference() {
     assert_eq!((noisy, far), (0, 0), "references that are noisy, and pictures that are far from theirs:\n{table}");
 }
 
+/// Clouds, their shadows on the sea, gusts, and glints, whose mean the reference shows.
+#[test]
+#[ignore = "takes minutes on a software GPU"]
+fn the_picture_with_clouds_is_near_its_reference() {
+    let mut far = Vec::new();
+    for (name, state) in [
+        ("stratocumulus", "wind=10&clouds=stratocumulus&cloudcover=0.6&sun=8&sunaz=55&y=2&pitch=-4"),
+        ("cumulus", "wind=10&clouds=cumulus&sun=50&sunaz=75&y=200&pitch=-12"),
+        ("storm", "wind=25&fetch=500&clouds=storm&cloudcover=0.9&sun=30&sunaz=45&y=5&pitch=-2"),
+        ("towering", "wind=8&gusts=1&clouds=towering&sun=20&sunaz=90&y=20&pitch=-6"),
+        ("glints", "wind=10&glints=1&sun=25&sunaz=45&y=5&pitch=-4"),
+    ] {
+        let p = params(&format!("{state}&n=128&t=20"));
+        let mut viewer = Viewer::new([192, 108], &p);
+        let normal = viewer.normal();
+        let Agreed { noise, picture, .. } = viewer.agreed();
+        let right = flip(&picture, &normal);
+        eprintln!("{name:<14} noise {noise:.4}, picture {right:.4}");
+        write(&format!("clouds-{name}"), &picture, &normal);
+        if noise > NOISE || right > 0.08 {
+            far.push(name);
+        }
+    }
+    assert!(far.is_empty(), "noisy references, or pictures that are far from theirs: {far:?}");
+}
+
 /// Over a second, the luma of the far half of the water varies about as much as that of the reference does.
 #[test]
 #[ignore = "takes minutes on a software GPU"]
