@@ -10,14 +10,14 @@ const FOAM_FRONT_WEIGHTS = vec4f(0.1, 0.75, 0.8, 0.8);
 // Reciprocal of the standard deviations of the values of cloud (evenly spread) and of lace and lumps (normal).
 const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
 // Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
-const FOAM_FILM_SOFTNESS = 0.55;
-const FOAM_BODY_SOFTNESS = vec2f(0.16, 0.14);
+const FOAM_FILM_SOFTNESS = 0.4;
+const FOAM_BODY_SOFTNESS = vec2f(0.13, 0.14);
 // Opacity of the film, and what the body adds where it lies on it. A film of bubbles is bluish, because water shows
 // through.
 const FOAM_FILM_OPACITY = vec2f(0.26, 0.4);
 const FOAM_BODY_OPACITY = vec2f(0.52, 0.56);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
-const FOAM_OLD_SHIFT = vec2f(0.5, -0.3);
+const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
 // Standard deviation of the height of a front's lumps of decimetres (x) and of centimetres (y), m.
 const FOAM_LUMP_HEIGHT_M = vec2f(0.06, 0.008);
