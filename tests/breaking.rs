@@ -124,8 +124,9 @@ fn breaking_crests_lean_forward() {
         let rms = (all.iter().map(|p| p.moved[1].powi(2)).sum::<f64>() / all.len() as f64).sqrt();
         let most = all.iter().map(|p| p.moved[0].hypot(p.moved[2])).fold(0.0, f64::max);
         eprintln!(
-            "wind {wind}: lee faces {before:.3} -> {after:.3} times as steep as weather faces, folded {folded:?}, pushed \
-             by up to {most:.2} m, mean level {level:+.4} m, Hs {:.3} -> {:.3} m, slope variance {:+.4}, rollers {rms:.4} m",
+            "wind {wind}: lee faces {before:.3} -> {after:.3} times as steep as weather faces, folded {folded:?}, \
+             pushed by up to {most:.2} m, mean level {level:+.4} m, Hs {:.3} -> {:.3} m, slope variance {:+.4}, \
+             rollers {rms:.4} m",
             hs[0],
             hs[1],
             slopes[1] / slopes[0] - 1.0,
@@ -176,8 +177,8 @@ const SPEED_BINS: usize = 18;
 /// The foam level whose fronts are measured, 256 m wide.
 const LEVEL: usize = 1;
 
-/// Measures the fronts of a sea at `times` times, as cameras do (Melville and Matusov 2002): the speed of a front is that
-/// with which the pattern around it moves along the wind.
+/// Measures the fronts of a sea at `times` times, as cameras do (Melville and Matusov 2002): the speed of a front is
+/// that with which the pattern around it moves along the wind.
 fn fronts(gpu: &Gpu, state: &str, times: u32) -> Fronts {
     let plan = Plan::new(&params(state));
     let mut sim = common::simulation(gpu, state);
@@ -252,8 +253,8 @@ fn lambda(fronts: &Fronts) -> Vec<[f64; 2]> {
     (0..).zip(&fronts.length_per_m).map(bin).collect()
 }
 
-/// Mean speed of the fronts, m/s, and the slope of Lambda(c) in logarithms from 1.2 to 2.4 times this speed, weighted by
-/// the length of the fronts.
+/// Mean speed of the fronts, m/s, and the slope of Lambda(c) in logarithms from 1.2 to 2.4 times this speed, weighted
+/// by the length of the fronts.
 fn mean_speed_and_slope(fronts: &Fronts) -> (f64, f64) {
     let all = lambda(fronts);
     let lengths: f64 = fronts.length_per_m.iter().sum();
@@ -266,8 +267,8 @@ fn mean_speed_and_slope(fronts: &Fronts) -> (f64, f64) {
     (mean, sum(&|p| (p[0] - x) * (p[1] - y)) / sum(&|p| (p[0] - x).powi(2)))
 }
 
-/// Fronts travel at 0.15 to 0.5 of the phase speed of the peak (Gemmrich and others 2008; Kleiss and Melville 2010). Beyond
-/// their mean speed, Lambda(c) falls about as c^-6 (Phillips 1985), and its integral is the foam that is there.
+/// Fronts travel at 0.15 to 0.5 of the phase speed of the peak (Gemmrich and others 2008; Kleiss and Melville 2010).
+/// Beyond their mean speed, Lambda(c) falls about as c^-6 (Phillips 1985), and its integral is the foam that is there.
 #[test]
 fn fronts_have_the_speeds_of_breakers() {
     let gpu = common::gpu();
@@ -288,8 +289,9 @@ fn fronts_have_the_speeds_of_breakers() {
         // `foam_amount` with its constants.
         let shown = drawn[0] + drawn[1] * (1.0 - 0.29) / (1.0 - 0.18);
         eprintln!(
-            "wind {wind}: cp {cp:.1} m/s, mean speed {speed:.2} m/s, then slope {slope:.2}; foam {:.5} (Monahan {:.5}), from \
-             its fronts {white:.5}; exposure {exposure_s:.2} s; drawn fronts {:.3} and foam beside {:.3}, shown {shown:.3}",
+            "wind {wind}: cp {cp:.1} m/s, mean speed {speed:.2} m/s, then slope {slope:.2}; foam {:.5} (Monahan {:.5}), \
+             from its fronts {white:.5}; exposure {exposure_s:.2} s; drawn fronts {:.3} and foam beside {:.3}, shown \
+             {shown:.3}",
             fronts.foam,
             statistics::monahan_coverage(wind),
             drawn[0],
