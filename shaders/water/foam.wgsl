@@ -61,6 +61,8 @@ struct FoamAmount {
 struct FoamAppearance {
   // Fraction of the pixel's light that comes from foam: the covered area, less where foam is thin.
   cover: f32,
+  // Part of this light that comes from the film of old foam.
+  film: f32,
   // Height of the fine relief, around 0.5.
   grain: f32,
   // Slope of the foam's relief.
@@ -197,11 +199,14 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
     tap += 2.0 * step;
     let z = dot(noise - 0.5, factors);
     let body = foam_normal_cdf((z + edge.y) * sharp.y);
-    out.cover += film_opacity * foam_normal_cdf((z + edge.x) * sharp.x) + body_opacity * body;
+    let film = film_opacity * foam_normal_cdf((z + edge.x) * sharp.x);
+    out.cover += film + body_opacity * body;
+    out.film += film;
     out.grain += lumps - 0.5;
     first_body = body;
   }
   let share = select(1.0, 0.5, has_halves);
+  out.film *= (1.0 - fresh) / max(out.cover, 1e-4);
   out.cover *= share;
   // Lumps are higher where foam covers; the grain is relative to their mean there.
   let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * 0.4 / max(amount.cover, 1e-4);

@@ -20,7 +20,7 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let wrapped = max(mean * foam_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
   // Hollows see less of the sky.
   let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
-  let thin = mix(FOAM_FILM_COLOUR, vec3f(1.0), foam.cover);
+  let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
   let albedo = material.foam_colour * thin * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
   let sunlight = cloud_sun_irradiance() * (wrapped * (0.8 + 0.4 * foam.grain));
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
