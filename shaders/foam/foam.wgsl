@@ -17,6 +17,9 @@
 @group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x][foam, front, plume]
 @group(0) @binding(6) var foam_out: texture_storage_2d_array<rgba16float, write>;
 
+// Largest stored excess over the breaking criterion.
+const FOAM_MOST_EXCESS = 6.0;
+
 // Jacobian of the displaced surface at an offset, m, from a level's corner, with the blend of water/surface.wgsl.
 fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
   var stretch = vec2f(0.0);
@@ -60,7 +63,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let known = all(before >= vec2i(0)) && all(before < vec2i(size));
   let cell_m = foam.levels[level].cell_m;
   let j = foam_jacobian(level, (vec2f(ahead) + 0.5) * cell_m);
-  let source = saturate((foam.levels[level].jacobian_threshold - j) * foam.levels[level].source_slope);
+  // The source rises from 0 to 1 while the excess rises from 1 to 2, so that crests lean before they foam.
+  let slope = foam.levels[level].source_slope;
+  let over = 1.0 + (foam.levels[level].jacobian_threshold - j) * slope;
+  let excess = select(0.0, clamp(over, 0.0, FOAM_MOST_EXCESS), slope > 0.0);
+  let source = saturate(excess - 1.0);
 
   let at = 3u * ((level * foam.cells_per_side + id.y) * foam.cells_per_side + id.x);
   let initial = foam.levels[level].initial_foam * vec3f(1.0, foam.initial_front_ratio, foam.initial_plume_ratio);
@@ -74,5 +81,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   history[at] = now.x;
   history[at + 1u] = now.y;
   history[at + 2u] = now.z;
-  textureStore(foam_out, id.xy, level, vec4f(now.x, source, now.yz));
+  textureStore(foam_out, id.xy, level, vec4f(now.x, excess, now.yz));
 }

@@ -54,7 +54,7 @@ fn view_value(at: vec2u, layer: u32) -> f32 {
       return (1.0 + l.x * g.z) * (1.0 + l.y * g.w) - l.x * l.y * d.w * d.w;
     }
     case 15u: { return textureLoad(foam_map, at, layer, 0).x; }
-    default: { return textureLoad(foam_map, at, layer, 0).y; }
+    default: { return saturate(textureLoad(foam_map, at, layer, 0).y - 1.0); }
   }
 }
 

@@ -46,7 +46,8 @@ fn fragment(in: SurfaceFragment) -> @location(0) vec4f {
   let width = fwidth(edges);
   let tile = view.tiles[0];
   let point = WaterPoint(in.position, at, water_height_m(in.position));
-  let slope = water_slope(at, water_moved(point), foot);
+  let breaker = breaker_motion(at, point.height, vec2f(0.0));
+  let slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, 1.0);
   switch view.view_kind {
     case 1u: {
       let n = water_normal(slope.mean);

@@ -17,11 +17,15 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let foot = frame.undisplaced_below_eye * exp(-radius / (4.0 * frame.max_displacement_m));
   let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
   let water = water_displacement(at, mesh_spacing(radius), true);
-  let moved = water.displacement;
+  let breaker = breaker_motion(at, water.displacement.y, water.carried.slope);
+  let moved = water.displacement + breaker.moved;
   let flat = at + moved.xz;
   let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_RADIUS_M);
   let place = vec3f(flat.x, moved.y - drop - frame.eye_height_m, flat.y);
-  let carried = water.carried;
+  let waves = water.carried;
+  let slope = waves.slope + breaker.derivatives.slope;
+  let stretch = waves.stretch + breaker.derivatives.stretch;
+  let shear = waves.shear + breaker.derivatives.shear;
   mesh_vertices[vertex] = MeshVertex(
-    place, 0.5 * (carried.shear.x + carried.shear.y), at, pack2x16float(carried.slope), pack2x16float(carried.stretch));
+    place, 0.5 * (shear.x + shear.y), at, pack2x16float(slope), pack2x16float(stretch));
 }

@@ -10,14 +10,14 @@ const FOAM_FRONT_WEIGHTS = vec4f(0.1, 0.75, 0.8, 0.8);
 // Reciprocal of the standard deviations of the values of cloud (evenly spread) and of lace and lumps (normal).
 const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
 // Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
-const FOAM_FILM_SOFTNESS = 0.2;
-const FOAM_BODY_SOFTNESS = vec2f(0.1, 0.14);
+const FOAM_FILM_SOFTNESS = 0.4;
+const FOAM_BODY_SOFTNESS = vec2f(0.13, 0.14);
 // Opacity of the film, and what the body adds where it lies on it. A film of bubbles is bluish, because water shows
 // through.
-const FOAM_FILM_OPACITY = vec2f(0.16, 0.4);
-const FOAM_BODY_OPACITY = vec2f(0.5, 0.56);
+const FOAM_FILM_OPACITY = vec2f(0.26, 0.4);
+const FOAM_BODY_OPACITY = vec2f(0.52, 0.56);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
-const FOAM_OLD_SHIFT = vec2f(0.35, -0.25);
+const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
 // Standard deviation of the height of a front's lumps of decimetres (x) and of centimetres (y), m.
 const FOAM_LUMP_HEIGHT_M = vec2f(0.06, 0.008);
@@ -33,7 +33,7 @@ const FOAM_RELIEF_SLOPE_SIGMA = 0.3;
 const FOAM_FRONT_RANGE = vec2f(0.3, 0.9);
 // Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
 // the mean of fronts and of the rest is that of the simulated foam, within 2 % in winds of 8 to 26 m/s.
-const FOAM_FRONT_SHARES = vec2f(0.27, 0.13);
+const FOAM_FRONT_SHARES = vec2f(0.29, 0.18);
 // Mean of the plume relative to that of the foam.
 const FOAM_MEAN_PLUME_RATIO = 1.4;
 // Amount of foam, 0 to 1, below which none is drawn.
@@ -61,6 +61,8 @@ struct FoamAmount {
 struct FoamAppearance {
   // Fraction of the pixel's light that comes from foam: the covered area, less where foam is thin.
   cover: f32,
+  // Part of this light that comes from the film of old foam.
+  film: f32,
   // Height of the fine relief, around 0.5.
   grain: f32,
   // Slope of the foam's relief.
@@ -197,11 +199,14 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
     tap += 2.0 * step;
     let z = dot(noise - 0.5, factors);
     let body = foam_normal_cdf((z + edge.y) * sharp.y);
-    out.cover += film_opacity * foam_normal_cdf((z + edge.x) * sharp.x) + body_opacity * body;
+    let film = film_opacity * foam_normal_cdf((z + edge.x) * sharp.x);
+    out.cover += film + body_opacity * body;
+    out.film += film;
     out.grain += lumps - 0.5;
     first_body = body;
   }
   let share = select(1.0, 0.5, has_halves);
+  out.film *= (1.0 - fresh) / max(out.cover, 1e-4);
   out.cover *= share;
   // Lumps are higher where foam covers; the grain is relative to their mean there.
   let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * 0.4 / max(amount.cover, 1e-4);

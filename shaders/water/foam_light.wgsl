@@ -3,6 +3,9 @@
 // Reflectance of thick fresh foam (Whitlock, Bartlett and Gurganus 1982; Koepke 1984).
 const FOAM_ALBEDO = 0.72;
 
+// Colour of a thin film of foam: light that it scatters down comes back through the water between its bubbles.
+const FOAM_FILM_COLOUR = vec3f(0.6, 0.85, 0.95);
+
 // Radiance of foam towards `v`: a white diffuse body lit by sun and sky, with the gloss of its wet bubbles.
 fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let n = water_normal(slope.mean + foam.relief);
@@ -17,7 +20,8 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let wrapped = max(mean * foam_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
   // Hollows see less of the sky.
   let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
-  let albedo = material.foam_colour * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
+  let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
+  let albedo = material.foam_colour * thin * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
   let sunlight = cloud_sun_irradiance() * (wrapped * (0.8 + 0.4 * foam.grain));
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {

@@ -13,6 +13,8 @@ const LEAN_LEAST_OPTICAL_DEPTH = 0.006;
 const LEAN_MOST_SHADOW = 5.0;
 // Amount of foam, 0 to 1, below which the lean tier draws none.
 const LEAN_MIN_FOAM = 0.02;
+// Part of the light of old foam that comes from its film.
+const LEAN_FILM = 0.45;
 // Opacity of old foam, film and body together.
 const LEAN_OLD_FOAM_OPACITY = 0.47;
 
@@ -148,6 +150,7 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
   let cut = foam_normal_cdf((z + edge) * inverseSqrt(soft * soft + 1.0 - resolved));
   var out: FoamAppearance;
   out.cover = cut * mix(LEAN_OLD_FOAM_OPACITY, FOAM_FILM_OPACITY.y + FOAM_BODY_OPACITY.y, amount.fresh);
+  out.film = LEAN_FILM * (1.0 - amount.fresh);
   out.grain = 0.5;
   return out;
 }

@@ -97,7 +97,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   var slope: WaterSlope;
   if WATER_POINT_SAMPLES {
     // Slopes interpolated between the vertices are linear there; a sample needs the slope at its point.
-    slope = water_slope_with_carried(at, water_moved(point), foot, foot, WaterDerivatives(), false, gust);
+    let breaker = breaker_motion(at, point.height, textureLoad(slope_and_stretch_map, pixel, 0).xy);
+    slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, gust);
   } else {
     let mesh = textureLoad(slope_and_stretch_map, pixel, 0);
     let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);

@@ -178,7 +178,7 @@ fn water_slope(at: vec2f, moved: vec3f, foot: WaterFootprint) -> WaterSlope {
 }
 
 // Slope statistics within a footprint, with another footprint for the ripples. If `carries`, the maps are added to the
-// slopes `carried` that the mesh holds at this point; else `carried` must be 0. `gust` is water_gust_gain there.
+// slopes `carried` that the mesh holds at this point; else `carried` must hold no waves. `gust`: water_gust_gain there.
 fn water_slope_with_carried(
   at: vec2f, moved: vec3f, foot: WaterFootprint, ripple_foot: WaterFootprint, carried: WaterDerivatives, carries: bool,
   gust: f32,

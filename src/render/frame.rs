@@ -158,7 +158,8 @@ gpu_struct! {
         /// Factors with which the slope of the bound waves follows from all waves at a point: on the height, and on the
         /// drawn horizontal displacement along x and z, 1/m.
         pub bound_slope_factors: [f32; 3],
-        unused: u32,
+        /// Unit vector (x, z) in which breaking crests travel, the wind's direction, as two 16-bit signed fractions.
+        pub breaker_direction: u32,
         /// Polar lattice of the water mesh: positions of its vertices before displacement.
         pub mesh_lattice: MeshLattice,
         /// Cascades of all drawn seas, then their ripple layers (shrunk copies of cascades); the rest is unused.
@@ -282,7 +283,7 @@ impl FrameUniform {
             bound_elevation_gain: bound.elevation_gain as f32,
             bound_level_m: bound.cascades.iter().map(|c| c.level_m).sum::<f64>() as f32,
             bound_slope_factors: bound_slope_factors(bound.mean, sea.choppiness),
-            unused: 0,
+            breaker_direction: packed_direction(sea.downwind),
             mesh_lattice: mesh.lattice,
             cascades: padded_array(cascades.chain(ripples)),
             foam_levels: padded_array(levels),
@@ -296,6 +297,12 @@ impl FrameUniform {
         let forward = std::array::from_fn(|i| self.forward[i] - x * self.right[i] - y * self.up[i]);
         Self { clip_from_relative: moved, forward, footprint_scale: 0.0, ..self }
     }
+}
+
+/// A unit vector as two 16-bit signed fractions (WGSL `unpack2x16snorm`).
+fn packed_direction(unit: [f64; 2]) -> u32 {
+    let [x, z] = unit.map(|v| u32::from((32767.0 * v.clamp(-1.0, 1.0)).round() as i16 as u16));
+    x | z << 16
 }
 
 /// WGSL `bound_slope_factors` for the factors `mean` of the whole sea. The shader knows the horizontal displacement only

@@ -73,6 +73,7 @@ const SURFACE: SourcePart = SourcePart::Group(&[
     part!("water/mesh.wgsl"),
     part!("water/spline.wgsl"),
     part!("water/surface.wgsl"),
+    part!("water/breaker.wgsl"),
 ]);
 /// WGSL for passes that find the displaced water surface but do not shade it.
 const BARE_SURFACE: SourcePart = SourcePart::Group(&[part!("common/frame.wgsl"), SURFACE]);

@@ -54,8 +54,9 @@ pub struct Resources {
     /// kinds share it because a pass may write to only four storage textures by WebGPU's base limits, and so to four
     /// mip levels.
     pub maps: wgpu::Texture,
-    /// Array texture with one layer per foam level, for the renderer: at each cell foam, foam source, front of a
-    /// breaker and plume of bubbles, each 0 to 1.
+    /// Array texture with one layer per foam level, for the renderer: at each cell foam, front of a breaker and
+    /// plume of bubbles (x, z, w), each 0 to 1, and the excess over the breaking criterion (y), of which 1 to 2 is the
+    /// foam source from 0 to 1.
     pub foam: wgpu::Texture,
     /// Sampler with linear filtering that repeats along both axes, with which the foam pass reads the wave maps.
     pub repeating_sampler: wgpu::Sampler,

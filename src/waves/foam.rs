@@ -39,10 +39,11 @@ const DEFAULT_GROWTH_RATE_TIMES_DECAY_TIME: f64 = 8.0;
 const FOAM_SOURCE_RAMP_STRAIN_SIGMAS: f64 = 0.5;
 
 /// Size of the texels on which the Jacobian of breakers is read, relative to the wavelength of the peak. Short waves
-/// break without air, as microbreakers (Sutherland and Melville 2013).
-const BREAKER_TEXEL_PER_PEAK_WAVELENGTH: f64 = 0.012;
+/// break without air, as microbreakers (Sutherland and Melville 2013). The shortest waves that count also set the speed
+/// of the fronts, which travel at a quarter to a third of the phase speed of the peak.
+const BREAKER_TEXEL_PER_PEAK_WAVELENGTH: f64 = 0.035;
 /// Limits of these sizes, m.
-const BREAKER_TEXEL_RANGE_M: [f64; 2] = [0.25, 1.5];
+const BREAKER_TEXEL_RANGE_M: [f64; 2] = [0.25, 8.0];
 
 /// Upper limit of the whitecap coverage from which the foam threshold is derived, as a fraction of the surface.
 const MAX_COVERAGE: f64 = 0.9;

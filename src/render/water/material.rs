@@ -50,9 +50,9 @@ impl LayerShape {
 /// slicks by the surface current.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::foam([1310.0, 530.0, 0.0, 2.5], [0.36, 0.35]),
-    LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.85, 0.0]),
-    LayerShape::foam([10.7, 10.7, -9.0, 1.6], [1.05, 0.0]),
-    LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.5, 0.0]),
+    LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.64, 0.0]),
+    LayerShape::foam([10.7, 10.7, -9.0, 1.6], [1.26, 0.0]),
+    LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.45, 0.0]),
     // The smallest tile of the bed holds 38 ripples. Their crests lie across the waves, which follow the wind.
     LayerShape::bed(1130.0, 63.0),
     LayerShape::bed(310.0, 29.0),
