@@ -70,7 +70,7 @@ fn lean_glitter(v: vec3f, slope: WaterSlope, seen: vec2f) -> vec3f {
   let shadow = clamp(lit.x / max(lit.y, 1e-6) - 1.0, 0.0, LEAN_MOST_SHADOW);
   let area = max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow;
   let facets = water_slope_density_at(density, square) / (4.0 * h2 * h2 * area);
-  return cloud_sun_irradiance() * min(f * facets, frame.sun_radiance_per_irradiance);
+  return shadow_sun_irradiance() * min(f * facets, frame.sun_radiance_per_irradiance);
 }
 
 // Reflected sky and sun. `v` points to the eye, in axes whose y is the local vertical.
@@ -171,7 +171,7 @@ fn lean_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f3
 // Air and fog between the eye and a point of the sea: the radiance that they add, and their transmittance. Where they
 // take too little light to be seen, they are left out.
 fn lean_air(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
-  let extinction = 2e-5 + 5e-5 * sky.haze + sky.fog.extinction_per_m;
+  let extinction = 2e-5 + 5e-5 * sky.haze + 1e-3 * frame.spray_extinction_per_km + sky.fog.extinction_per_m;
   if extinction * distance_m < LEAN_LEAST_OPTICAL_DEPTH {
     return array<vec3f, 2>(vec3f(0.0), vec3f(1.0));
   }

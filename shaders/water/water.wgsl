@@ -63,6 +63,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
   }
+  if WATER_SHADOWS {
+    shadow_sun_fraction = shadow_visible_sun(point.undisplaced, foot);
+  }
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never
