@@ -27,7 +27,7 @@ const TONE_FILM_CONTRAST = 1.2;
 const TONE_FILM_MIDDLE = 0.391;
 const TONE_FILM_GAMMA = 0.55;
 // Binary logarithm of the light of the brightest channel from which highlights fade no further.
-const TONE_FILM_WHITEST = 3.5;
+const TONE_FILM_WHITEST = 4.0;
 
 fn tone_film_response(log_light: vec4f) -> vec4f {
   let light = exp2(TONE_FILM_CONTRAST * log_light);
@@ -47,7 +47,7 @@ fn tone_film(linear: vec3f) -> vec3f {
   let own = TONE_OUT * response.rgb;
   let hue = white * exp2((TONE_FILM_CONTRAST * TONE_FILM_GAMMA) * (logs - most));
   let bleach = saturate(4.0 * white - 3.0);
-  let kept = mix(hue, own, 0.75 * bleach * bleach);
+  let kept = mix(hue, own, 0.9 * bleach * bleach);
   let both = 0.5 * (own + kept);
   let grey = sky_luminance(both);
   return clamp(grey + 1.04 * (both - grey), vec3f(0.0), vec3f(1.0));

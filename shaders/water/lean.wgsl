@@ -152,20 +152,19 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
   return out;
 }
 
-// Light through the back of a crest (as water_crest_radiance). `rise` is the height above the mean level divided by the
-// significant wave height.
-fn lean_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
-  let thin = water_crest_thinness(rise, jacobian);
-  if thin <= 0.1 {
+// Light through the back of a crest (as water_crest_radiance).
+fn lean_crest_radiance(n: vec3f, ray: vec3f, slope: WaterSlope, height_m: f32, plume: f32) -> vec3f {
+  let crest = water_crest(ray, slope.mean, height_m, slope.jacobian);
+  if crest.share <= 0.1 {
     return vec3f(0.0);
   }
   let l = frame.sun_direction;
   let entry = max(n.y * l.y - n.x * l.x - n.z * l.z, 0.0);
   let phase = atm_henyey_greenstein(dot(l, ray), WATER_CREST_MEAN_COSINE);
-  let through = water_crest_transmittance(rise, jacobian, plume);
+  let through = water_crest_transmittance(crest.path_m, slope.jacobian, plume);
   let sun = cloud_sun_irradiance() * (step(-0.02, l.y) * entry * phase);
   let sky = light.sky_irradiance * (0.25 / ATM_PI * saturate(1.0 + ray.y));
-  return (sun + sky) * through * (material.crest_transmission * thin);
+  return (sun + sky) * through * (material.crest_transmission * crest.share);
 }
 
 // Air and fog between the eye and a point of the sea: the radiance that they add, and their transmittance. Where they
@@ -204,7 +203,7 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
     let size = WATER_TAP_TEXEL_RATIO * vec2f(long_m, frame.pixel_angle * distance_m);
     below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
-  below += lean_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.plume);
+  below += lean_crest_radiance(n, ray, slope, point.height, foam.plume);
   let spread = material.inverse_relative_index * material.inverse_relative_index;
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
   if WATER_FOAM && foam.cover >= LEAN_MIN_FOAM {

@@ -96,7 +96,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
   if material.crest_transmission > 0.0 {
-    below += water_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.plume);
+    below += water_crest_radiance(n, ray, slope, point.height, foam.plume);
   }
   // Radiance falls by the square of the relative refractive index, because rays spread when they leave the water.
   let spread = material.inverse_relative_index * material.inverse_relative_index;
