@@ -131,7 +131,7 @@ fn marched_shadows_cover_what_rays_find_in_shadow() {
             let line = format!(
                 "{state} at {elevation_deg} deg: {cast:.3} by rays, {marched:.3} by the march, {apart:.3} apart"
             );
-            println!("{line}");
+            eprintln!("{line}");
             if !((marched - cast).abs() < 0.04 && apart < 0.09) {
                 wrong.push(line);
             }

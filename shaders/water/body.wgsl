@@ -64,6 +64,8 @@ fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
 const WATER_CREST_WAVE_NUMBER = 2.0;
 // Path through a broad crest, m: light that enters through its top meets the ray to the eye sooner than at its far end.
 const WATER_CREST_LONGEST_M = 2.0;
+// Share of a crest, as below, up to which no light is drawn through it.
+const WATER_CREST_LEAST_SHARE = 0.08;
 
 // A crest in front of the sun.
 struct WaterCrest {
@@ -80,11 +82,14 @@ fn water_crest(ray: vec3f, slope: vec2f, height_m: f32, jacobian: f32) -> WaterC
   let steepness = 1.0 - jacobian;
   let hs_m = max(frame.hs_m, 0.05);
   let share = maths_smooth(2.4 * height_m / hs_m) * maths_smooth(0.35 + 1.3 * steepness);
+  if share <= WATER_CREST_LEAST_SHARE {
+    return WaterCrest();
+  }
   // The water over the ray gains depth at first, and loses it with the curvature.
   let depth_gain = max(dot(slope, ray.xz) - ray.y, 0.0);
   let curving = WATER_CREST_WAVE_NUMBER * max(0.1 + 0.6 * steepness, 0.1) * max(dot(ray.xz, ray.xz), 0.05);
   let chord_m = 2.0 * depth_gain * hs_m / curving;
-  return WaterCrest(share, chord_m / (1.0 + chord_m * (1.0 / WATER_CREST_LONGEST_M)));
+  return WaterCrest(share - WATER_CREST_LEAST_SHARE, chord_m / (1.0 + chord_m * (1.0 / WATER_CREST_LONGEST_M)));
 }
 
 // Fraction of the light behind a crest that comes through it scattered.
@@ -101,7 +106,7 @@ fn water_crest_transmittance(path_m: f32, jacobian: f32, plume: f32) -> vec3f {
 // Light through the back of a crest towards the eye, against the refracted ray `ray`.
 fn water_crest_radiance(n: vec3f, ray: vec3f, slope: WaterSlope, height_m: f32, plume: f32) -> vec3f {
   let crest = water_crest(ray, slope.mean, height_m, slope.jacobian);
-  if crest.share <= 0.02 || frame.sun_direction.y <= -0.02 {
+  if crest.share == 0.0 || frame.sun_direction.y <= -0.02 {
     return vec3f(0.0);
   }
   // The far side of the crest slopes the opposite way.

@@ -155,7 +155,7 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
 // Light through the back of a crest (as water_crest_radiance).
 fn lean_crest_radiance(n: vec3f, ray: vec3f, slope: WaterSlope, height_m: f32, plume: f32) -> vec3f {
   let crest = water_crest(ray, slope.mean, height_m, slope.jacobian);
-  if crest.share <= 0.1 {
+  if crest.share == 0.0 {
     return vec3f(0.0);
   }
   let l = frame.sun_direction;

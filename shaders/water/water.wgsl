@@ -95,7 +95,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     let size = WATER_TAP_TEXEL_RATIO * vec2f(foot.length_m, foot.width_m);
     below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
-  if material.crest_transmission > 0.0 {
+  if material.crest_transmission > 0.0 && point.height > 0.0 {
     below += water_crest_radiance(n, ray, slope, point.height, foam.plume);
   }
   // Radiance falls by the square of the relative refractive index, because rays spread when they leave the water.

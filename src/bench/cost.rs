@@ -112,14 +112,14 @@ pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
 pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 21.0, reads: 0.0, max_ops: 21.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
-pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2999.9, reads: 30.4, max_ops: 4905.0, max_reads: 56.0 };
+pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2971.2, reads: 30.4, max_ops: 4940.0, max_reads: 55.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the lean tier.
 pub const LEAN_LIGHT_FRAGMENT_COST: ShaderCost =
-    ShaderCost { ops: 1379.5, reads: 13.1, max_ops: 2304.0, max_reads: 19.0 };
+    ShaderCost { ops: 1433.6, reads: 13.4, max_ops: 2336.0, max_reads: 19.0 };
 /// Cost per pixel of the fragment shader that draws the sky above the sea.
-pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 221.0, reads: 1.0, max_ops: 221.0, max_reads: 1.0 };
+pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 249.4, reads: 1.2, max_ops: 331.0, max_reads: 2.0 };
 /// Cost per pixel of the tone pass, which turns the HDR picture into screen colours.
-pub const TONE_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 292.3, reads: 3.2, max_ops: 588.0, max_reads: 11.0 };
+pub const TONE_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 302.0, reads: 3.1, max_ops: 598.0, max_reads: 11.0 };
 /// Cost per pixel of the present pass if the picture has the size of the canvas, so that it is copied.
 pub const COPY_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 20.0, reads: 1.0, max_ops: 20.0, max_reads: 1.0 };
 /// Cost per pixel of the present pass if it enlarges the picture.
