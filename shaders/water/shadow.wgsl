@@ -6,7 +6,11 @@ override WATER_SHADOWS: bool = false;
 
 // Number of cascades that cast shadows, and of steps along the ray.
 const SHADOW_CASCADES = 4u;
-const SHADOW_STEPS = 16;
+const SHADOW_STEPS = 12;
+// Binary logarithm of the number of texels along a patch below which a cascade has faded out.
+const SHADOW_LOG_TEXELS_PER_PATCH = 4.0;
+// Height, per metre of a step, by which a crest between two steps is higher than the surface at both.
+const SHADOW_BETWEEN_STEPS = 0.014;
 // Height of the highest crest that is looked for, in significant wave heights; one crest in 3,000 is higher.
 const SHADOW_HIGHEST_CREST = 1.0;
 // Length of the ray, in significant wave heights: the least height that it gains, and the greatest distance.
@@ -40,14 +44,18 @@ fn shadow_copies(at: vec2f) -> ShadowCopies {
   var copies: ShadowCopies;
   for (var i = 0u; i < SHADOW_CASCADES; i++) {
     let c = shadow_cascade(i);
+    if c >= frame.cascade_count {
+      break;
+    }
     let map = frame.cascades[c];
     var next = tile_blend(map.tile_position, at, false);
     for (var k = 0u; k < TILE_COPIES; k++) {
       let blend = next;
       next = tile_next_copy(blend);
-      let weight = select(0.0, blend.weight.x, c < frame.cascade_count && blend.weight.x > WATER_LEAST_COPY_WEIGHT);
-      let uv = map.uv_below_eye + at * map.inverse_patch + tile_copy_shift(map.tile_position, blend);
-      copies[3u * i + k] = vec3f(uv, weight);
+      if blend.weight.x > WATER_LEAST_COPY_WEIGHT {
+        let uv = map.uv_below_eye + at * map.inverse_patch + tile_copy_shift(map.tile_position, blend);
+        copies[3u * i + k] = vec3f(uv, blend.weight.x);
+      }
     }
   }
   return copies;
@@ -60,10 +68,12 @@ fn shadow_displacement(copies: ptr<function, ShadowCopies>, off: vec2f, log_size
   // As in water_displacement.
   var bound_m = 0.0;
   var longer = vec3f(0.0, frame.bound_elevation_gain, 0.0);
+  // Mip level at which a cascade has faded out: its longest waves are two texels long.
+  let coarsest_lod = log2(frame.n) - SHADOW_LOG_TEXELS_PER_PATCH;
   for (var i = 0u; i < SHADOW_CASCADES; i++) {
     let map = frame.cascades[shadow_cascade(i)];
     let lod = log_size_m + map.log_texels_per_m;
-    let share = saturate(log2(frame.n) - 4.0 - lod);
+    let share = saturate(coarsest_lod - lod);
     if share <= 0.0 {
       continue;
     }
@@ -72,10 +82,10 @@ fn shadow_displacement(copies: ptr<function, ShadowCopies>, off: vec2f, log_size
     for (var k = 0u; k < TILE_COPIES; k++) {
       let copy = (*copies)[3u * i + k];
       if copy.z > 0.0 {
-        let d = textureSampleLevel(displacement_map, trilinear_sampler, copy.xy + along, map.layer, lod);
-        own += (share * copy.z) * d.xyz;
+        own += copy.z * textureSampleLevel(displacement_map, trilinear_sampler, copy.xy + along, map.layer, lod).xyz;
       }
     }
+    own *= share;
     sum += own;
     bound_m += dot(own, 0.5 * map.bound_own.yxy * own + longer);
     longer += map.bound_with_shorter.yxy * own;
@@ -120,12 +130,15 @@ fn shadow_visible_sun(at: vec2f, foot: WaterFootprint) -> f32 {
     moved = d.xz;
     let along_m = max(dot(off + moved, toward), 1e-4);
     let half_width_m = along_m * disc + min(pixel_m, 0.1 * along_m * rise);
-    let after = (along_m * rise - d.y - 0.01 * step_m) / half_width_m;
+    let after = (along_m * rise - d.y - SHADOW_BETWEEN_STEPS * step_m) / half_width_m;
     // The lowest point of a parabola through three steps.
     let bend = before - 2.0 * here + after;
     let fall = before - after;
     let is_lowest = here < before && here <= after;
     least = min(least, select(after, here - fall * fall / max(8.0 * bend, 1e-6), is_lowest));
+    if least <= -1.0 {
+      return 1.0 - fade;
+    }
     before = here;
     here = after;
   }

@@ -63,7 +63,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
   }
-  if WATER_SHADOWS {
+  if WATER_SHADOWS && cloud_sun_fraction > 0.01 {
     shadow_sun_fraction = shadow_visible_sun(point.undisplaced, foot);
   }
 
