@@ -141,14 +141,10 @@ fn marched_shadows_cover_what_rays_find_in_shadow() {
 }
 
 #[test]
-fn a_march_that_forgets_the_choppiness_is_found() {
-    let shaders = wgsl::shaders().patched(
-        MODULE,
-        "return sum * vec3f(frame.choppiness.x, 1.0, frame.choppiness.y);",
-        "return sum * vec3f(0.0, 1.0, 0.0);",
-    );
+fn a_march_of_few_steps_is_found() {
+    let shaders = wgsl::shaders().patched(MODULE, "const SHADOW_STEPS = 12;", "const SHADOW_STEPS = 4;");
     let bench = Bench::new(STATES[1], shaders);
     let profiles: Vec<_> = (0..LINES).map(|line| bench.profile(line)).collect();
     let [cast, marched, apart] = shadows(&bench, &profiles, 6.0);
-    assert!((marched - cast).abs() > 0.03 || apart > 0.1, "{cast} {marched} {apart}");
+    assert!((marched - cast).abs() > 0.04 || apart > 0.09, "{cast} {marched} {apart}");
 }
