@@ -23,7 +23,7 @@ use std::sync::{LazyLock, Mutex};
 const SEAS: [&str; 3] = ["n=256", "n=512", "n=1024"];
 /// Pictures that together need the renderer's pipelines: one for each part that shaders have or lack, except for a sky
 /// from a file, which no state string holds.
-const PICTURES: [&str; 19] = [
+const PICTURES: [&str; 20] = [
     "",
     "detail=lean",
     "foam=0",
@@ -38,6 +38,7 @@ const PICTURES: [&str; 19] = [
     "glints=1",
     "gusts=1",
     "clouds=cumulus&glints=1&gusts=1&depth=4&caustics=1",
+    "sun=5",
     "sun=-20",
     "view=height",
     "view=normals",

@@ -26,6 +26,8 @@ const TONE_OUT = mat3x3f(
 const TONE_FILM_CONTRAST = 1.2;
 const TONE_FILM_MIDDLE = 0.391;
 const TONE_FILM_GAMMA = 0.55;
+// Binary logarithm of the light of the brightest channel from which highlights fade no further.
+const TONE_FILM_WHITEST = 4.0;
 
 fn tone_film_response(log_light: vec4f) -> vec4f {
   let light = exp2(TONE_FILM_CONTRAST * log_light);
@@ -38,12 +40,14 @@ fn tone_film(linear: vec3f) -> vec3f {
   let light = clamp(linear, vec3f(1e-6), vec3f(1e6));
   let logs = log2(light);
   let most = max(logs.r, max(logs.g, logs.b));
-  let response = tone_film_response(vec4f(log2(TONE_INTO * light), most));
+  // Light far above white, as that of the low sun, keeps the tint that it has there.
+  let tinted = light * exp2(min(TONE_FILM_WHITEST - most, 0.0));
+  let response = tone_film_response(vec4f(log2(TONE_INTO * tinted), most));
   let white = response.w;
   let own = TONE_OUT * response.rgb;
   let hue = white * exp2((TONE_FILM_CONTRAST * TONE_FILM_GAMMA) * (logs - most));
   let bleach = saturate(4.0 * white - 3.0);
-  let kept = mix(hue, vec3f(white), 0.6 * bleach * bleach);
+  let kept = mix(hue, own, 0.9 * bleach * bleach);
   let both = 0.5 * (own + kept);
   let grey = sky_luminance(both);
   return clamp(grey + 1.04 * (both - grey), vec3f(0.0), vec3f(1.0));

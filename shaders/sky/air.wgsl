@@ -15,7 +15,8 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let km = 0.001 * distance_m;
   let extinction =
     ATM_RAYLEIGH_SCATTERING * frame.mean_air_density.x + ATM_AEROSOL_EXTINCTION * (sky.haze * frame.mean_air_density.y);
-  let through = atm_linear_srgb(exp(-extinction * km)) * ATM_INVERSE_SUN;
+  let spray = frame.spray_extinction_per_km;
+  let through = atm_linear_srgb(exp(-(extinction + spray) * km)) * ATM_INVERSE_SUN;
   if SKY_IMAGE && sky.has_image > 0.0 {
     return array<vec3f, 2>(air_horizon_radiance(dir) * (1.0 - through), through);
   }
@@ -32,8 +33,8 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let root = max(fall * fall - dip * dip, 0.0);
   let whole_km = ATM_EARTH_RADIUS_KM * (fall - sqrt(root));
   // The shares of all wavelengths are as good as equal, because the two distances are.
-  let opacities = 1.0 - exp(-extinction.y * vec2f(km, whole_km));
-  let share = min(opacities.x / max(opacities.y, 1e-6), 1.0);
+  let opacities = 1.0 - exp(-vec2f((extinction.y + spray) * km, extinction.y * whole_km));
+  let share = opacities.x / max(opacities.y, 1e-6);
   var clear = sky_clear_radiance(dir, below) * share;
   if SKY_CLOUD_SHADOWS {
     clear *= sky_shaded_air();

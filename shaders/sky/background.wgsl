@@ -59,6 +59,30 @@ fn sky_star_radiance(dir: vec3f) -> vec3f {
   return hue * (lux * sky.night_gain * exp(-0.5 * off * off) / (2.0 * ATM_PI * size * size));
 }
 
+// Elevation above the horizon, rad, up to which spray veils the sky.
+const SKY_SPRAY_REACH = 0.06;
+// Vertical scale height of the layer of sea spray, km (`SPRAY_SCALE_HEIGHT_M` in src/render/frame.rs), and the elevation,
+// rad, at which the curved Earth makes a slanted path through it as long as a level one.
+const SKY_SPRAY_HEIGHT_KM = 0.06;
+const SKY_SPRAY_LEVEL_ELEVATION = 0.0025;
+
+// Low sky of the radiance `radiance` behind the layer of spray, which has the light of the distant air. `above` is the
+// elevation above the horizon, rad.
+fn sky_behind_spray(radiance: vec3f, dir: vec3f, above: f32) -> vec3f {
+  let fade = 1.0 - above * (1.0 / SKY_SPRAY_REACH);
+  if fade <= 0.0 {
+    return radiance;
+  }
+  let slant_km = SKY_SPRAY_HEIGHT_KM / sqrt(above * above + SKY_SPRAY_LEVEL_ELEVATION * SKY_SPRAY_LEVEL_ELEVATION);
+  let through = exp(-frame.spray_extinction_per_km * slant_km * fade);
+  var clear = sky_clear_radiance(dir, 0.0);
+  if SKY_CLOUD_DOME && sky.has_cloud_dome > 0.0 {
+    clear *= sky_shaded_air();
+  }
+  let grey = light.overcast_zenith_radiance * (1.0 / 3.0);
+  return mix(mix(clear, grey, sky.overcast * sky.overcast), radiance, through);
+}
+
 @fragment
 fn fragment(in: SkyFragment) -> @location(0) vec4f {
   let dir = normalize(in.ray);
@@ -82,10 +106,13 @@ fn fragment(in: SkyFragment) -> @location(0) vec4f {
       }
       radiance += beyond * (air.w * (1.0 - sky.overcast));
     }
+    radiance = sky_behind_spray(radiance, dir, above);
   }
   if SKY_FOG && sky.fog.extinction_per_m > 0.0 {
     let fog = air_fog_on_ray(dir, FOG_FAR_M);
     radiance = radiance * fog.w + fog.rgb;
   }
-  return frame_hdr_output(min(radiance, vec3f(6e4)), 0.0);
+  // The hue of the sun stays where half floats end.
+  let most = max(max(radiance.r, radiance.g), max(radiance.b, 1.0));
+  return frame_hdr_output(radiance * min(6e4 / most, 1.0), 0.0);
 }

@@ -8,7 +8,9 @@
 @group(0) @binding(4) var cloud_sampler: sampler;
 @group(0) @binding(5) var shadow_out: texture_storage_2d<rgba16float, write>;
 
-const SHADOW_STEPS = 24;
+// Steps through the layer for a high sun, and the most. A long step through a cloud and a gap would close the gap.
+const SHADOW_STEPS = 24.0;
+const SHADOW_MOST_STEPS = 96.0;
 // Length of the longest path through the layer, in thicknesses (`LONGEST_SHADOW` in src/render/sky/cloud_field.rs).
 const SHADOW_LONGEST = 12.0;
 
@@ -18,10 +20,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let sun = cloud_turned(sky.sun_direction);
   let steep = max(sun.y, 1.0 / SHADOW_LONGEST);
   let slope = vec3f(sun.x, steep, sun.z) / steep;
-  let step_km = 1.0 / (cloud_field.layers_per_km * f32(SHADOW_STEPS));
+  let steps = clamp(floor(0.33 * SHADOW_STEPS * length(slope)), SHADOW_STEPS, SHADOW_MOST_STEPS);
+  let step_km = 1.0 / (cloud_field.layers_per_km * steps);
   var depth = 0.0;
-  for (var i = 0; i < SHADOW_STEPS; i++) {
-    let rise = (f32(i) + 0.5) * step_km;
+  for (var i = 0.5; i < steps; i += 1.0) {
+    let rise = i * step_km;
     let p = vec3f(at.x, cloud_field.base_km, at.y) + slope * rise;
     depth += cloud_density(p, 0.0, step_km * length(slope));
   }

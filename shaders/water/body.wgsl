@@ -38,7 +38,7 @@ fn water_entering_sunlight(n: vec3f) -> vec3f {
   let l = frame.sun_direction;
   let cosine = dot(n, l);
   let facing = max(0.5 * (cosine + l.y), 0.0);
-  return cloud_sun_irradiance() * (facing * (1.0 - water_fresnel(max(cosine, 0.0))));
+  return shadow_sun_irradiance() * (facing * (1.0 - water_fresnel(max(cosine, 0.0))));
 }
 
 // Fraction of the surface lately covered by foam, below which the bubbles do not count.
@@ -60,10 +60,40 @@ fn water_deep_radiance(n: vec3f, ray: vec3f, plume: f32) -> vec3f {
   return (sun + sky) * (r / (4.0 - 1.92 * r));
 }
 
-// Fraction of the light behind a crest that comes through it scattered. `rise` is as in water_crest_radiance.
-fn water_crest_transmittance(rise: f32, jacobian: f32, plume: f32) -> vec3f {
-  // The path through a crest is decimetres long at its edge, and metres below it.
-  let path_m = 0.8 + 1.2 * frame.hs_m * max(0.75 - rise, 0.0);
+// Wave number of the waves that sharpen a crest, in reciprocals of the significant wave height.
+const WATER_CREST_WAVE_NUMBER = 2.0;
+// Path through a broad crest, m: light that enters through its top meets the ray to the eye sooner than at its far end.
+const WATER_CREST_LONGEST_M = 2.0;
+// Share of a crest, as below, up to which no light is drawn through it.
+const WATER_CREST_LEAST_SHARE = 0.08;
+
+// A crest in front of the sun.
+struct WaterCrest {
+  // How high and steep the crest is, from 0 where no light comes through it to 1.
+  share: f32,
+  // Length of the path of light through the crest, m.
+  path_m: f32,
+}
+
+// The crest that the refracted ray `ray` passes through from a point `height_m` above the mean level with the slope
+// `slope`. The crest is a parabola. Its curvature is the product of a wave number and the steepness of the waves there,
+// by which they have compressed the surface: 1 - jacobian.
+fn water_crest(ray: vec3f, slope: vec2f, height_m: f32, jacobian: f32) -> WaterCrest {
+  let steepness = 1.0 - jacobian;
+  let hs_m = max(frame.hs_m, 0.05);
+  let share = maths_smooth(2.4 * height_m / hs_m) * maths_smooth(0.35 + 1.3 * steepness);
+  if share <= WATER_CREST_LEAST_SHARE {
+    return WaterCrest();
+  }
+  // The water over the ray gains depth at first, and loses it with the curvature.
+  let depth_gain = max(dot(slope, ray.xz) - ray.y, 0.0);
+  let curving = WATER_CREST_WAVE_NUMBER * max(0.1 + 0.6 * steepness, 0.1) * max(dot(ray.xz, ray.xz), 0.05);
+  let chord_m = 2.0 * depth_gain * hs_m / curving;
+  return WaterCrest(share - WATER_CREST_LEAST_SHARE, chord_m / (1.0 + chord_m * (1.0 / WATER_CREST_LONGEST_M)));
+}
+
+// Fraction of the light behind a crest that comes through it scattered.
+fn water_crest_transmittance(path_m: f32, jacobian: f32, plume: f32) -> vec3f {
   // A crest that is about to break draws in air.
   let air = clamp(0.9 - jacobian, 0.0, 0.7);
   let bubbles = water_bubble_backscatter(plume) + WATER_PLUME_BACKSCATTER * material.bubble_density * air;
@@ -73,15 +103,10 @@ fn water_crest_transmittance(rise: f32, jacobian: f32, plume: f32) -> vec3f {
   return exp(-extinction * path_m) * (1.0 - exp(-forward * path_m));
 }
 
-// How thin and high a crest is, from 0 where no light comes through it to 1. `rise` is as in water_crest_radiance.
-fn water_crest_thinness(rise: f32, jacobian: f32) -> f32 {
-  return maths_smooth((rise + 0.05) * (1.0 / 0.6)) * saturate(1.6 - jacobian);
-}
-
-// Light through the back of a crest. `rise` is the height above the mean level divided by the significant wave height.
-fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
-  let thin = water_crest_thinness(rise, jacobian);
-  if thin <= 0.01 || frame.sun_direction.y <= -0.02 {
+// Light through the back of a crest towards the eye, against the refracted ray `ray`.
+fn water_crest_radiance(n: vec3f, ray: vec3f, slope: WaterSlope, height_m: f32, plume: f32) -> vec3f {
+  let crest = water_crest(ray, slope.mean, height_m, slope.jacobian);
+  if crest.share == 0.0 || frame.sun_direction.y <= -0.02 {
     return vec3f(0.0);
   }
   // The far side of the crest slopes the opposite way.
@@ -89,9 +114,9 @@ fn water_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f
   let entry = max(dot(back, frame.sun_direction), 0.0);
   let beam = water_refract(-frame.sun_direction, back);
   let phase = atm_henyey_greenstein(dot(beam, -ray), WATER_CREST_MEAN_COSINE);
-  let through = water_crest_transmittance(rise, jacobian, plume);
+  let through = water_crest_transmittance(crest.path_m, slope.jacobian, plume);
   let sun = cloud_sun_irradiance() * (entry * (1.0 - water_fresnel(entry)) * phase);
   // The bright sky behind the crest shines through it, too.
   let sky = light.sky_irradiance * (0.25 / ATM_PI * saturate(1.0 + ray.y));
-  return (sun + sky) * through * (material.crest_transmission * thin);
+  return (sun + sky) * through * (material.crest_transmission * crest.share);
 }

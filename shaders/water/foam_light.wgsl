@@ -17,12 +17,17 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let across = slope.variance.x * l.x * l.x + slope.variance.y * l.z * l.z + 2.0 * slope.variance.z * l.x * l.z;
   let deviation = 0.8 * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
   let off = mean / deviation;
-  let wrapped = max(mean * foam_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
+  var wrapped = max(mean * foam_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
+  if WATER_SHADOWS {
+    // The waves within the pixel shade each other (Smith).
+    let lit = water_tilt_projected_area(water_tilt_towards(l, slope));
+    wrapped *= saturate(lit.y / max(lit.x, 1e-6));
+  }
   // Hollows see less of the sky.
   let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
   let albedo = material.foam_colour * thin * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
-  let sunlight = cloud_sun_irradiance() * (wrapped * (0.8 + 0.4 * foam.grain));
+  let sunlight = shadow_sun_irradiance() * (wrapped * (0.8 + 0.4 * foam.grain));
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {
     return body;
@@ -36,5 +41,5 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let seen = max(dot(n, v), 1e-3);
   let masked = 0.5 / mix(2.0 * cosine * seen, cosine + seen, alpha);
   let gloss = material.glitter_strength * water_fresnel(dot(v, h)) * a2 / (ATM_PI * d * d) * masked * cosine;
-  return body + cloud_sun_irradiance() * min(gloss, 50.0);
+  return body + shadow_sun_irradiance() * min(gloss, 50.0);
 }

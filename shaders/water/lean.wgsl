@@ -72,7 +72,7 @@ fn lean_glitter(v: vec3f, slope: WaterSlope, seen: vec2f) -> vec3f {
   let shadow = clamp(lit.x / max(lit.y, 1e-6) - 1.0, 0.0, LEAN_MOST_SHADOW);
   let area = max(seen.x, 1e-5) + max(seen.y, 0.0) * shadow;
   let facets = water_slope_density_at(density, square) / (4.0 * h2 * h2 * area);
-  return cloud_sun_irradiance() * min(f * facets, frame.sun_radiance_per_irradiance);
+  return shadow_sun_irradiance() * min(f * facets, frame.sun_radiance_per_irradiance);
 }
 
 // Reflected sky and sun. `v` points to the eye, in axes whose y is the local vertical.
@@ -155,26 +155,25 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
   return out;
 }
 
-// Light through the back of a crest (as water_crest_radiance). `rise` is the height above the mean level divided by the
-// significant wave height.
-fn lean_crest_radiance(n: vec3f, ray: vec3f, rise: f32, jacobian: f32, plume: f32) -> vec3f {
-  let thin = water_crest_thinness(rise, jacobian);
-  if thin <= 0.1 {
+// Light through the back of a crest (as water_crest_radiance).
+fn lean_crest_radiance(n: vec3f, ray: vec3f, slope: WaterSlope, height_m: f32, plume: f32) -> vec3f {
+  let crest = water_crest(ray, slope.mean, height_m, slope.jacobian);
+  if crest.share == 0.0 {
     return vec3f(0.0);
   }
   let l = frame.sun_direction;
   let entry = max(n.y * l.y - n.x * l.x - n.z * l.z, 0.0);
   let phase = atm_henyey_greenstein(dot(l, ray), WATER_CREST_MEAN_COSINE);
-  let through = water_crest_transmittance(rise, jacobian, plume);
+  let through = water_crest_transmittance(crest.path_m, slope.jacobian, plume);
   let sun = cloud_sun_irradiance() * (step(-0.02, l.y) * entry * phase);
   let sky = light.sky_irradiance * (0.25 / ATM_PI * saturate(1.0 + ray.y));
-  return (sun + sky) * through * (material.crest_transmission * thin);
+  return (sun + sky) * through * (material.crest_transmission * crest.share);
 }
 
 // Air and fog between the eye and a point of the sea: the radiance that they add, and their transmittance. Where they
 // take too little light to be seen, they are left out.
 fn lean_air(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
-  let extinction = 2e-5 + 5e-5 * sky.haze + sky.fog.extinction_per_m;
+  let extinction = 2e-5 + 5e-5 * sky.haze + 1e-3 * frame.spray_extinction_per_km + sky.fog.extinction_per_m;
   if extinction * distance_m < LEAN_LEAST_OPTICAL_DEPTH {
     return array<vec3f, 2>(vec3f(0.0), vec3f(1.0));
   }
@@ -207,7 +206,7 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
     let size = WATER_TAP_TEXEL_RATIO * vec2f(long_m, frame.pixel_angle * distance_m);
     below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
-  below += lean_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.plume);
+  below += lean_crest_radiance(n, ray, slope, point.height, foam.plume);
   let spread = material.inverse_relative_index * material.inverse_relative_index;
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
   if WATER_FOAM && foam.cover >= LEAN_MIN_FOAM {

@@ -153,7 +153,7 @@ fn water_glitter(
     let share = max(water_tilt_projected_area(eye).x, 1e-5) / max(own, 1e-5);
     let facets = water_slope_density_at(density, squares.x);
     let brightness = water_glitter_brightness(v, h, facets, surface, eye, lit, share, reflectance);
-    return cloud_sun_irradiance() * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
+    return shadow_sun_irradiance() * min(strength * brightness.x, frame.sun_radiance_per_irradiance);
   }
   var eye = water_tilt_towards(v, part);
   var lit = water_tilt_towards(l, part);
@@ -179,7 +179,7 @@ fn water_glitter(
     eye.mean -= 2.0 * dot(half, eye.toward);
     lit.mean -= 2.0 * dot(half, lit.toward);
   }
-  return cloud_sun_irradiance() * (sum / seen);
+  return shadow_sun_irradiance() * (sum / seen);
 }
 
 // Radiance of the reflected sun divided by its irradiance and by Fresnel's reflectance (x), and the projected area of

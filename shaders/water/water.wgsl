@@ -63,6 +63,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
   }
+  if WATER_SHADOWS && cloud_sun_fraction > 0.01 {
+    shadow_sun_fraction = shadow_visible_sun(point.undisplaced, foot);
+  }
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never
@@ -92,8 +95,8 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     let size = WATER_TAP_TEXEL_RATIO * vec2f(foot.length_m, foot.width_m);
     below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
-  if material.crest_transmission > 0.0 {
-    below += water_crest_radiance(n, ray, point.height / max(frame.hs_m, 0.05), slope.jacobian, foam.plume);
+  if material.crest_transmission > 0.0 && point.height > 0.0 {
+    below += water_crest_radiance(n, ray, slope, point.height, foam.plume);
   }
   // Radiance falls by the square of the relative refractive index, because rays spread when they leave the water.
   let spread = material.inverse_relative_index * material.inverse_relative_index;

@@ -38,6 +38,11 @@ impl Interpolate for SeaAppearance {
                 to.finest_cascade_slope_variance,
                 fraction,
             ),
+            resolved_slope_variance: interpolate_pair(
+                self.resolved_slope_variance,
+                to.resolved_slope_variance,
+                fraction,
+            ),
             caustic_filter_m: interpolate(self.caustic_filter_m, to.caustic_filter_m, fraction),
         }
     }

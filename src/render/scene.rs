@@ -65,6 +65,9 @@ pub struct SeaAppearance {
     /// Slope variances, along and across the wind, of the waves in the finest cascade (the shortest waves). They tell
     /// how much of the unresolved variance ripples (shrunk copies of this cascade) can represent.
     pub finest_cascade_slope_variance: SlopeVariance,
+    /// Slope variances, along and across the wind, of the waves in all cascades. They tell below which elevation of the
+    /// sun waves shade each other.
+    pub resolved_slope_variance: SlopeVariance,
     /// Half the shortest wavelength of waves that form distinct caustics on the bed, m; shorter detail is ignored.
     pub caustic_filter_m: f64,
 }
@@ -73,6 +76,7 @@ impl SeaAppearance {
     /// Derives the properties of a sea from its plan. `look` provides the refractive indices, for the caustics.
     pub fn new(plan: &Plan, look: &Look) -> Self {
         let wind_m_s = plan.sea.first_system().wind_m_s;
+        let resolved_slope_variance = slopes::resolved_slope_variance(plan);
         Self {
             choppiness: plan.sea.choppiness_xz(),
             hs_m: plan.hs_m(),
@@ -81,7 +85,8 @@ impl SeaAppearance {
             wind_m_s,
             downwind: plan.downwind,
             cloud_velocity_m_s: plan.downwind.map(|w| w * CLOUD_SPEED_PER_WIND_SPEED * wind_m_s),
-            unresolved_slope_variance: slopes::residual_slope_variance(plan, slopes::resolved_slope_variance(plan)),
+            unresolved_slope_variance: slopes::residual_slope_variance(plan, resolved_slope_variance),
+            resolved_slope_variance,
             finest_cascade_slope_variance: plan
                 .cascades
                 .last()
@@ -100,6 +105,7 @@ impl SeaAppearance {
             wind_m_s: 10.0,
             downwind: [1.0, 0.0],
             unresolved_slope_variance: [0.005; 2],
+            resolved_slope_variance: [0.02; 2],
             finest_cascade_slope_variance: [0.005; 2],
             caustic_filter_m: 1.0,
             still_water_level_m: 0.0,

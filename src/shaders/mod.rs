@@ -83,6 +83,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     SURFACE,
     part!("water/footprint.wgsl"),
     part!("water/slope.wgsl"),
+    part!("water/shadow.wgsl"),
     part!("water/material.wgsl"),
     part!("water/fresnel.wgsl"),
     part!("water/facets.wgsl"),

@@ -16,6 +16,7 @@ use crate::render::variants::{PipelineVariants, switch_constant};
 use crate::shaders::Shaders;
 use crate::sim::Maps;
 use crate::state::look::{CloudKind, FresnelFormula, MicrofacetDistribution};
+use crate::waves::slopes::SlopeVariance;
 use wgpu::BindingResource::{Sampler, TextureView};
 
 /// Depth test of the lighting pass. Its triangle lies behind all water and before the sky, so only water pixels pass.
@@ -34,6 +35,8 @@ struct WaterLightVariant {
     gusts: bool,
     /// Whether the sun's glitter consists of separate glints.
     glints: bool,
+    /// Whether waves shade each other (shaders/water/shadow.wgsl).
+    shadows: bool,
     /// Whether the sun's glitter has a Blinn-Phong lobe instead of the Gaussian distribution of slopes.
     blinn_phong: bool,
     /// Whether a GGX (Trowbridge-Reitz) distribution of slopes replaces the Gaussian one.
@@ -51,6 +54,17 @@ struct WaterLightVariant {
     is_lean: bool,
 }
 
+/// Elevation of the upper edge of the sun, degrees, below which there is no sunlight.
+const SUNSET_DEG: f64 = -0.9;
+/// Deviations of the slope beyond which water is too rare to cast shadows that one sees: one wave in 200 is steeper.
+const SHADOW_DEVIATIONS: f64 = 2.5;
+
+/// Whether the sun is so low that some of the waves of the maps, with these slope variances, shade others.
+fn casts_shadows(elevation_deg: f64, [along, across]: SlopeVariance) -> bool {
+    let steepest = SHADOW_DEVIATIONS * along.max(across).sqrt();
+    elevation_deg > SUNSET_DEG && elevation_deg.to_radians().tan() < steepest
+}
+
 impl WaterLightVariant {
     fn new(scene: &Scene, output: OutputKind) -> Self {
         let surface = &scene.look.surface;
@@ -61,6 +75,7 @@ impl WaterLightVariant {
             foam: surface.foam.coverage_factor > 0.0,
             gusts: surface.reflection.gusts > 0.0,
             glints: surface.reflection.glints && output != OutputKind::Reference,
+            shadows: casts_shadows(scene.look.sky.sun_elevation_azimuth_deg()[0], scene.sea.resolved_slope_variance),
             blinn_phong: surface.reflection.specular == MicrofacetDistribution::BlinnPhong,
             ggx: surface.reflection.specular == MicrofacetDistribution::Ggx,
             schlick: surface.reflection.fresnel == FresnelFormula::Schlick,
@@ -72,13 +87,14 @@ impl WaterLightVariant {
         }
     }
 
-    fn constants(self) -> [(&'static str, f64); 12] {
+    fn constants(self) -> [(&'static str, f64); 13] {
         [
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_CAUSTICS", self.caustics),
             switch_constant("WATER_FOAM", self.foam),
             switch_constant("WATER_GUSTS", self.gusts),
             switch_constant("WATER_GLINTS", self.glints),
+            switch_constant("WATER_SHADOWS", self.shadows),
             switch_constant("WATER_PHONG", self.blinn_phong),
             switch_constant("WATER_GGX", self.ggx),
             switch_constant("WATER_SCHLICK", self.schlick),
@@ -237,5 +253,22 @@ impl WaterPass {
         pass.set_bind_group(0, &self.scene.group, &[]);
         pass.set_bind_group(1, maps, &[]);
         self.mesh.draw(pass);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::query;
+    use crate::waves::{Plan, slopes};
+
+    #[test]
+    fn only_a_low_sun_on_a_steep_sea_casts_shadows() {
+        let casts = |state: &str, elevation_deg: f64| {
+            casts_shadows(elevation_deg, slopes::resolved_slope_variance(&Plan::new(&query::parse(state).0)))
+        };
+        assert!(casts("", 5.0) && casts("", 12.0));
+        assert!(!casts("", 30.0) && !casts("", -2.0));
+        assert!(casts("wind=2", 1.0) && !casts("wind=2", 12.0) && !casts("wind=0", 1.0));
     }
 }
