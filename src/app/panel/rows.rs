@@ -53,13 +53,12 @@ fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: 
     }
 }
 
-/// Adds a wide widget for one parameter, whose name for screen readers is `name`.
-pub fn show_value(params: &mut Params, field: &'static Field, name: &str, ui: &mut egui::Ui) {
+/// Adds a wide widget for one parameter. `label` is the widget that shows its name.
+pub fn show_value(params: &mut Params, field: &'static Field, label: egui::Id, ui: &mut egui::Ui) {
     let before = (field.get)(params);
     let mut value = before;
     ui.spacing_mut().slider_width = slider_width(ui);
-    let response = value_editor(field, &mut value, params.screen.units, ui).on_hover_text(field.help);
-    response.ctx.accesskit_node_builder(response.id, |node| node.set_label(name));
+    value_editor(field, &mut value, params.screen.units, ui).labelled_by(label).on_hover_text(field.help);
     if value != before {
         let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.check_value(value) else { return };
         (field.set)(params, v);

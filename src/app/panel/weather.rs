@@ -86,11 +86,12 @@ fn show_rows(app: &mut App, ui: &mut egui::Ui, rows: &[Row]) {
         let Some(field) = fields::find(row.key) else { continue };
         let meaning = (row.meaning)(&app.params);
         ui.add_space(4.0);
-        ui.horizontal(|ui| {
-            ui.label(row.label).on_hover_text(field.help);
+        let label = ui.horizontal(|ui| {
+            let label = ui.label(row.label).on_hover_text(field.help);
             ui.weak(meaning);
+            label.id
         });
-        rows::show_value(&mut app.params, field, row.label, ui);
+        rows::show_value(&mut app.params, field, label.inner, ui);
     }
 }
 
