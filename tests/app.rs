@@ -1,10 +1,11 @@
 //! The app under egui_kittest on a software adapter: the code that also runs in the window and on the page.
 
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use seastate::app::App;
 use seastate::app::device_loss::{AppHost, ParkedApp};
 use seastate::files::picture;
+use seastate::state::start::START;
 
 fn open(state: &str) -> Harness<'static, App> {
     open_in(state, [900.0, 500.0])
@@ -22,9 +23,17 @@ fn open_in(state: &str, size: [f32; 2]) -> Harness<'static, App> {
     harness
 }
 
+/// Opens a tab of the panel; in a wide window the weather is open at first.
+fn open_tab(harness: &mut Harness<'_, App>, name: &str) {
+    harness.get_by_label(name).click();
+    harness.run_steps(4);
+}
+
 #[test]
 fn a_state_opens_and_shows_its_numbers() {
     let mut harness = open("wind=10&fetch=100&n=64&pause=1&t=5");
+    harness.get_by_label("waves 2.1 m high, every 6 s");
+    open_tab(&mut harness, "Study");
     let picture = harness.render().expect("a picture");
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
     assert_eq!(harness.state().state(), "wind=10&fetch=100&t=5&pause=1&n=64");
@@ -61,6 +70,7 @@ fn the_panel_edits_the_state() {
 #[test]
 fn wave_systems_are_added_and_removed() {
     let mut harness = open_in("n=64&pause=1&wind=9", [900.0, 3000.0]);
+    open_tab(&mut harness, "Study");
     let click = |harness: &mut Harness<'_, App>, label: &str| {
         harness.get_by_label(label).click_accesskit();
         harness.run_steps(6);
@@ -140,6 +150,7 @@ fn a_dropped_buoy_becomes_the_sea() {
     drop_files(&mut harness, &[sample]);
     let state = harness.state().state();
     assert!(state.starts_with("spectrum=measured&") && state.contains("&measured="), "{state}");
+    open_tab(&mut harness, "Study");
     harness.get_by_label("2.33 m");
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 
@@ -246,6 +257,7 @@ fn what_cannot_be_read_changes_nothing() {
 #[test]
 fn the_report_says_what_runs_on_what_and_is_copied() {
     let mut harness = open_in("wind=17&t=3&pause=1&n=64&nonsense=1", [900.0, 1400.0]);
+    open_tab(&mut harness, "Study");
     harness.get_by_label_contains(concat!("Seastate ", env!("CARGO_PKG_VERSION")));
     harness.get_by_label("This program").scroll_to_me();
     harness.run_steps(4);
@@ -315,7 +327,8 @@ fn beaufort_and_named_seas_set_the_sea_and_undo_takes_it_back() {
 fn a_search_finds_parameters_and_units_change() {
     let mut harness = open("n=64&pause=1&units=nautical&wind=10");
     // The wind of 10 m/s in knots, and the wave height in feet.
-    harness.get_by_label_contains("19.4 kn");
+    assert!(harness.query_all_by_label_contains("19.4 kn").next().is_some());
+    open_tab(&mut harness, "Study");
     let hs = format!("{:.2} ft", seastate::waves::Plan::new(&params(&harness)).hs_m() / 0.3048);
     assert!(harness.query_all_by_label(&hs).next().is_some(), "{hs}");
     assert!(harness.query_by_label("Bloom").is_none());
@@ -331,7 +344,7 @@ fn keys_hide_the_panel_step_the_time_and_open_the_help() {
     harness.key_press(egui::Key::H);
     harness.run_steps(2);
     assert_eq!(harness.state().state(), "t=5&pause=1&n=64&ui=0");
-    assert!(harness.query_by_label("Copy link").is_none());
+    assert!(harness.query_by_label("Weather").is_none() && harness.query_by_label("Undo").is_none());
     harness.key_press(egui::Key::H);
     for _ in 0..6 {
         harness.key_press(egui::Key::Period);
@@ -430,14 +443,13 @@ fn the_smallest_windows_are_drawn() {
         harness.render().expect("a picture");
     }
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
-    harness.get_by_label("Copy link");
+    harness.get_by_label("Undo");
 }
 
 #[test]
 fn buoys_are_moored_where_the_sea_is_clicked() {
     let mut harness = open("n=64&pause=1&heading=90&pitch=-20");
-    harness.get_by_label("Afloat").click();
-    harness.run_steps(30);
+    open_tab(&mut harness, "View");
     harness.get_by_label("Moor a buoy").click();
     harness.run_steps(2);
     harness.drag_at(egui::pos2(300.0, 250.0));
@@ -485,7 +497,7 @@ fn a_running_sea_has_the_light_asked_for_and_a_still_the_full_one() {
 #[test]
 fn the_sea_is_measured_and_its_passes_are_timed() {
     let mut harness = open_in("wind=10&fetch=100&n=128&pause=1&t=5&renderscale=0.3", [700.0, 1400.0]);
-    for section in ["Plots", "More numbers", "Time of a frame"] {
+    for section in ["Study", "Plots", "More numbers", "Time of a frame"] {
         harness.get_by_label(section).click();
         harness.run_steps(8);
     }
@@ -522,23 +534,44 @@ fn the_sea_is_measured_and_its_passes_are_timed() {
 }
 
 #[test]
-fn the_sheet_of_a_phone_opens_and_closes_with_a_tap() {
+fn the_sheet_of_a_phone_opens_and_closes_with_a_tap_and_leaves_the_sea_visible() {
     let mut harness = open_in("wind=8&n=64&pause=1", [390.0, 844.0]);
-    assert!(harness.query_by_label("Copy link").is_none(), "the sea comes first");
+    assert!(harness.query_by_label("Undo").is_none(), "the sea comes first");
+    let closed = harness.state().picture_size();
     for _ in 0..2 {
-        harness.get_by_label_contains("tap to change").click();
-        harness.run_steps(4);
-        // Its widgets are large enough for a finger, and it leaves the upper half of the sea visible.
-        for label in ["Copy link", "Reset", "Picture"] {
+        open_tab(&mut harness, "Weather");
+        // Its widgets are large enough for a finger.
+        for label in ["Weather", "Undo", "Reset", "Beaufort", "Wind speed"] {
             let rect = harness.get_by_label(label).rect();
-            assert!(rect.height() >= 44.0 && rect.top() > 0.4 * 844.0, "{label}: {rect:?}");
+            assert!(rect.height() >= 44.0 && rect.top() > 0.5 * 844.0, "{label}: {rect:?}");
         }
-        let title = harness.get_by_label_contains("m, Beaufort 5");
-        assert!(title.rect().height() >= 44.0 && title.rect().width() > 300.0, "{:?}", title.rect());
-        title.click();
-        harness.run_steps(4);
-        assert!(harness.query_by_label("Copy link").is_none());
+        // The whole sea is drawn above the sheet.
+        let open = harness.state().picture_size();
+        assert!(open[0] == closed[0] && 2 * open[1] > closed[1] && open[1] < closed[1] - 300, "{open:?} {closed:?}");
+        open_tab(&mut harness, "Weather");
+        assert!(harness.query_by_label("Undo").is_none());
+        assert_eq!(harness.state().picture_size(), closed);
     }
+}
+
+#[test]
+fn the_weather_tab_sets_wind_swell_and_sun() {
+    let mut harness = open_in("n=64&pause=1", [900.0, 1400.0]);
+    let set = |harness: &mut Harness<'_, App>, label: &str, value: f64| {
+        let is_slider = |node: &egui_kittest::Node<'_>| node.accesskit_node().role() != egui::accesskit::Role::Label;
+        harness.get_all_by_label(label).find(is_slider).expect("a slider").set_value_accesskit(value);
+        harness.run_steps(3);
+    };
+    set(&mut harness, "Beaufort", 8.0);
+    set(&mut harness, "Sun height", 5.0);
+    assert_eq!(harness.state().state(), "wind=18.9&fetch=200&sun=5&pause=1&n=64");
+    // Whoever sets a swell's height gets a swell, and can have none again.
+    set(&mut harness, "Swell height", 3.0);
+    assert_eq!(harness.state().state(), "wind=18.9&fetch=200&scale2=1&hs2=3&sun=5&pause=1&n=64");
+    harness.get_by_label("No swell").click();
+    harness.run_steps(3);
+    assert_eq!(harness.state().state(), "wind=18.9&fetch=200&hs2=3&sun=5&pause=1&n=64");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }
 
 /// Not a test: writes pictures of the program in several sizes for visual inspection (`cargo test --test app --
@@ -554,19 +587,26 @@ fn pictures_to_look_at() {
     let storm = "wind=28&fetch=600&sun=12&n=128&t=30&adaptive=0";
     for (name, state, size, open) in [
         ("wide", bright, [1920.0, 1080.0], &[][..]),
-        ("wide-busy", busy, [1920.0, 1080.0], &["Seas", "Views", "Afloat", "Plots", "Share"][..]),
-        ("usual", busy, [1280.0, 720.0], &["Seas", "Views", "Afloat"][..]),
+        ("wide-busy", busy, [1920.0, 1080.0], &["Study", "Plots"][..]),
+        ("usual", busy, [1280.0, 720.0], &["Seas"][..]),
+        ("weather", START, [1280.0, 720.0], &[][..]),
+        ("view", START, [1280.0, 720.0], &["View"][..]),
+        ("study", START, [1280.0, 720.0], &["Study"][..]),
+        ("share", START, [1280.0, 720.0], &["Share"][..]),
+        ("phone-start", START, [390.0, 844.0], &[][..]),
+        ("phone-weather", START, [390.0, 844.0], &["Weather"][..]),
+        ("phone-seas", START, [390.0, 844.0], &["Seas"][..]),
         ("usual-bright", bright, [1280.0, 720.0], &[][..]),
-        ("numbers", storm, [1280.0, 900.0], &["More numbers", "Time of a frame", "This program"][..]),
+        ("numbers", storm, [1280.0, 900.0], &["Study", "More numbers", "Time of a frame", "This program"][..]),
         (
             "plots",
             record,
             [1280.0, 900.0],
-            &["Plots", "Directions", "Sea at a buoy", "Cut through the sea", "Crests at a buoy"][..],
+            &["Study", "Plots", "Directions", "Sea at a buoy", "Cut through the sea", "Crests at a buoy"][..],
         ),
         ("phone", bright, [390.0, 844.0], &[][..]),
-        ("phone-open", storm, [390.0, 844.0], &["sheet"][..]),
-        ("phone-plots", busy, [390.0, 844.0], &["sheet", "Plots"][..]),
+        ("phone-open", storm, [390.0, 844.0], &["Weather"][..]),
+        ("phone-plots", busy, [390.0, 844.0], &["Study", "Plots"][..]),
         ("help", storm, [1280.0, 720.0], &["keys"][..]),
     ] {
         if std::env::var("ONLY").is_ok_and(|only| !name.contains(&only)) {
@@ -581,7 +621,6 @@ fn pictures_to_look_at() {
         for label in open {
             match *label {
                 "keys" => harness.key_press(egui::Key::F1),
-                "sheet" => harness.get_by_label_contains("tap to change").click(),
                 _ => {
                     harness.get_by_label(label).scroll_to_me();
                     harness.run_steps(4);

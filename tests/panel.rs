@@ -68,6 +68,8 @@ fn the_panel_sets_every_parameter_and_takes_it_back() {
         .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
         .build_eframe(|cc| App::new(cc, BASE).expect("a device"));
     harness.run_steps(3);
+    harness.get_by_label("Study").click();
+    harness.run_steps(3);
     for field in FIELDS.iter() {
         harness.state_mut().set_state(BASE);
         harness.run_steps(2);

@@ -191,8 +191,8 @@ impl Desk {
     }
 }
 
-/// Centres of widgets, found in a test window of the same size.
-fn places(state: &str, labels: &[&str]) -> Vec<[f32; 2]> {
+/// Centres of widgets while a tab of the panel is open, found in a test window of the same size.
+fn places(state: &str, tab: &str, labels: &[&str]) -> Vec<[f32; 2]> {
     let state = state.to_owned();
     let mut harness = Harness::builder()
         .with_size(egui::vec2(SIZE[0], SIZE[1]))
@@ -200,6 +200,10 @@ fn places(state: &str, labels: &[&str]) -> Vec<[f32; 2]> {
         .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
         .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
     harness.run_steps(4);
+    if tab != "Weather" {
+        harness.get_by_label(tab).click();
+        harness.run_steps(4);
+    }
     // The first widget of a name is the slider, the second its number.
     let first = |label: &&str| harness.get_all_by_label(label).next().expect("a widget").rect().center();
     labels.iter().map(first).map(|at| [at.x, at.y]).collect()
@@ -208,8 +212,9 @@ fn places(state: &str, labels: &[&str]) -> Vec<[f32; 2]> {
 #[test]
 #[ignore = "needs Xvfb and xdotool: scripts/test.sh has them"]
 fn the_window_is_used_as_a_person_does() {
-    let widgets = places(STATE, &["Beaufort", "Time", "Play", "Reset"]);
-    let [beaufort, time, play, reset] = widgets[..] else { panic!("{widgets:?}") };
+    let widgets = places(STATE, "Weather", &["Beaufort", "Play", "Reset", "View"]);
+    let [beaufort, play, reset, view_tab] = widgets[..] else { panic!("{widgets:?}") };
+    let time = places(STATE, "View", &["Time"])[0];
     let mut desk = Desk::open("window", STATE);
     let first = desk.look();
     assert_eq!(first, query::parse(STATE).0);
@@ -237,6 +242,7 @@ fn the_window_is_used_as_a_person_does() {
     desk.look_for("a flight", |p| p.camera.z_m != closer.camera.z_m || p.camera.x_m != closer.camera.x_m);
 
     // Time is scrubbed, runs, and stands.
+    desk.click(view_tab);
     desk.drag(time, [time[0] + 30.0, time[1]]);
     let later = desk.look_for("another time", |p| p.clock.t_s != first.clock.t_s);
     desk.click(play);

@@ -8,6 +8,7 @@ pub mod device_loss;
 mod governor;
 mod gpu_errors;
 mod history;
+mod icons;
 pub mod keys;
 mod measurements;
 mod message;
@@ -289,6 +290,9 @@ impl eframe::App for App {
             };
             self.quality.adapt(times, &self.params.screen);
         }
+        if self.params.screen.panel {
+            panel::show_bottom_sheet(self, ui);
+        }
         let params = self.params_to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
         let is_adaptive = self.params.screen.adaptive && !self.params.clock.paused;
@@ -306,6 +310,7 @@ impl eframe::App for App {
         caption::show_view_caption(&self.params, &self.derived.plan, &ctx);
         if self.params.screen.panel {
             panel::show_panel(self, &ctx);
+            panel::show_summary(self, &ctx);
         }
         keys::show_keyboard_help(&mut self.help_is_open, &ctx);
         self.draw_message(&ctx);

@@ -45,6 +45,7 @@ fn clipboard_sign(request: &GlyphRasterizerRequest<'_>) -> Option<RasterizedGlyp
 
 /// Sets the visual style of the user interface: dark and slightly translucent.
 pub fn apply_style(ctx: &egui::Context) {
+    super::icons::install(ctx);
     ctx.add_glyph_rasterizer(GlyphRasterizer::new("seastate::clipboard", clipboard_sign));
     ctx.set_theme(egui::Theme::Dark);
     ctx.all_styles_mut(|style| {
@@ -57,6 +58,9 @@ pub fn apply_style(ctx: &egui::Context) {
         style.visuals.widgets.inactive.bg_fill = egui::Color32::from_rgb(52, 70, 86);
         style.visuals.selection.bg_fill = egui::Color32::from_rgb(0, 92, 128);
         style.visuals.window_shadow = egui::Shadow::NONE;
+        style.visuals.slider_trailing_fill = true;
+        style.visuals.handle_shape = egui::style::HandleShape::Circle;
+        style.visuals.window_corner_radius = 14.into();
         style.spacing.slider_width = 130.0;
     });
 }

@@ -53,6 +53,23 @@ fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: 
     }
 }
 
+/// Adds a wide widget for one parameter. `label` is the widget that shows its name.
+pub fn show_value(params: &mut Params, field: &'static Field, label: egui::Id, ui: &mut egui::Ui) {
+    let before = (field.get)(params);
+    let mut value = before;
+    ui.spacing_mut().slider_width = slider_width(ui);
+    value_editor(field, &mut value, params.screen.units, ui).labelled_by(label).on_hover_text(field.help);
+    if value != before {
+        let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.check_value(value) else { return };
+        (field.set)(params, v);
+    }
+}
+
+/// Width of a slider, points, that leaves room for its number at the right.
+pub fn slider_width(ui: &egui::Ui) -> f32 {
+    (ui.available_width() - 92.0).max(80.0)
+}
+
 fn value_editor(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui) -> egui::Response {
     match field.kind {
         FieldKind::Number { min, max, log } => number_editor(field, value, (min, max, log), units, ui),

@@ -1,11 +1,9 @@
-//! The panel's wind slider by the Beaufort scale, the built-in named seas, and the user's own named seas.
+//! The panel's tab of named seas: the built-in ones and the user's own.
 
-use super::super::accessible_names::{with_accessible_name, with_accessible_value};
-use super::super::units::UnitScale;
+use super::super::accessible_names::with_accessible_name;
 use super::super::{App, storage};
 use super::button_with_help;
 use crate::state::presets::{self, Preset};
-use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// The user's own named seas, with the state of the widgets that edit the list.
 #[derive(Default)]
@@ -50,48 +48,27 @@ impl OwnSeas {
     }
 }
 
-/// Adds the wind slider in Beaufort numbers, and text below it: the name of that wind force, what the sea looks like in
-/// it, and its probable wave height.
-pub fn show_wind_slider(app: &mut App, ui: &mut egui::Ui) {
-    let wind_m_s = app.params.sea.first_system().wind_m_s;
-    let now = beaufort::beaufort_number(wind_m_s);
-    let mut number = now;
-    ui.horizontal(|ui| {
-        let label = ui.strong("Wind");
-        ui.spacing_mut().slider_width = (ui.available_width() - 130.0).max(80.0);
-        let slider = egui::Slider::new(&mut number, 0..=12).show_value(false);
-        let help = "Sets the wind of this force, and a fetch for which the sea is as high as the scale says.";
-        let slider = ui.add(slider).labelled_by(label.id).on_hover_text(help);
-        with_accessible_value(slider, "Beaufort", number as f64);
-        let typed = egui::DragValue::new(&mut number).range(0..=12).prefix("Beaufort ").speed(0.1);
-        ui.add(typed).labelled_by(label.id).on_hover_text(help);
-    });
-    if number != now {
-        app.params = BEAUFORT_FORCES[number].apply(&app.params);
-    }
-    let force = &BEAUFORT_FORCES[now];
-    let metres = app.length_scale();
-    let speed = UnitScale::for_unit("m/s", app.params.screen.units);
-    let (code, word) = beaufort::sea_state(app.derived.theoretical_statistics.hs_m);
-    ui.label(format!("{} {}: {}", force.name, speed.format(wind_m_s, 1), force.appearance))
-        .on_hover_text("Beaufort scale, WMO");
-    ui.weak(format!(
-        "Textbook height {}, this sea {}; sea state {code}, {word} (Douglas)",
-        metres.format(force.probable_hs_m, 1),
-        metres.format(app.derived.theoretical_statistics.hs_m, 1),
-    ));
-}
-
 /// Adds buttons for the built-in and the user's own named seas, and widgets that keep, forget and export the latter.
 pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
     let mut chosen = None;
-    ui.horizontal_wrapped(|ui| {
-        for preset in presets::built_in() {
-            if button_with_help(ui, &preset.name, &format!("{}\n{}", preset.about, preset.source)) {
-                chosen = Some(preset.clone());
-            }
+    for preset in presets::built_in() {
+        // The first sentence says what one sees; the rest and the source are for those who ask.
+        let says = preset.about.split_inclusive(['.', ':']).next().unwrap_or_default().trim_end_matches(['.', ':']);
+        let mut job = egui::text::LayoutJob::default();
+        job.wrap.max_width = ui.available_width() - 16.0;
+        let format = |points, color| egui::TextFormat {
+            font_id: egui::FontId::proportional(points),
+            color,
+            ..Default::default()
+        };
+        job.append(&format!("{}\n", preset.name), 0.0, format(15.0, ui.visuals().strong_text_color()));
+        job.append(says, 0.0, format(12.5, ui.visuals().weak_text_color()));
+        let card = egui::Button::new(job).min_size(egui::vec2(ui.available_width(), 0.0));
+        let card = ui.add(card).on_hover_text(format!("{}\n{}", preset.about, preset.source));
+        if with_accessible_name(card, &preset.name).clicked() {
+            chosen = Some(preset.clone());
         }
-    });
+    }
     let mut dropped = None;
     if !app.own_seas.seas.is_empty() {
         ui.separator();
@@ -161,6 +138,16 @@ impl App {
         if self.panel.seed_locked {
             self.params.sea.seed = seed;
         }
+    }
+
+    /// Opens another built-in named sea, with another seed unless it is locked.
+    pub(super) fn open_random_preset(&mut self) {
+        let [which, seed, ..] = crate::waves::noise::pcg4d([self.params.sea.seed, self.frames as u32, 5, 3]);
+        let seas = presets::built_in();
+        if !self.panel.seed_locked {
+            self.params.sea.seed = seed % 100_000;
+        }
+        self.open_preset(&seas[which as usize % seas.len()]);
     }
 
     /// Runs the action `what` on the app, and shows its error, if any, in the notices.

@@ -2,6 +2,7 @@
 
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
+use super::Tab;
 use crate::files::measured::SpectrumList;
 
 /// Greatest height of the list, points.
@@ -19,7 +20,12 @@ impl App {
         self.notices = vec![format!("{title}: {bands} bands{directions}, Hs {:.2} m", spectrum.hs_m())];
         self.notices.extend(list.notices.iter().chain(&list.records[used].notices).cloned());
         self.params.sea.set_measured_spectrum(spectrum);
-        self.panel.spectra = (count > 1).then_some(list);
+        if count > 1 {
+            self.panel.open(Tab::Study);
+            self.panel.spectra = Some(list);
+        } else {
+            self.panel.spectra = None;
+        }
     }
 }
 

@@ -1,0 +1,84 @@
+//! The panel's tab of study: read-outs, plots and every parameter.
+
+use super::super::App;
+use super::super::accessible_names::with_accessible_name;
+use super::super::plots;
+use super::{MAX_TEXT_CHARS, numbers, rows, seas, spectra, systems, text_field};
+use crate::state::Params;
+use crate::state::fields::{FIELDS, Field, Group};
+
+/// Adds the widgets of the tab.
+pub fn show_study(app: &mut App, ui: &mut egui::Ui) {
+    numbers::show_main_statistics(app, ui);
+    spectra::show_spectrum_list(app, ui);
+    show_parameters(app, ui);
+    ui.separator();
+    egui::CollapsingHeader::new("Plots").show(ui, |ui| plots::show_all_plots(app, ui));
+    egui::CollapsingHeader::new("More numbers").show(ui, |ui| numbers::show_all_statistics(app, ui));
+    egui::CollapsingHeader::new("Time of a frame").show(ui, |ui| numbers::show_frame_times(app, ui));
+    egui::CollapsingHeader::new("This program").show(ui, |ui| numbers::show_system_information(app, ui));
+    ui.weak(format!("Seastate {}", crate::ocean::device_info::VERSION));
+}
+
+/// Adds widgets for all parameters, group by group, or for those that match the text in the search field.
+fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
+    ui.horizontal(|ui| {
+        let search = &mut app.panel.search;
+        let searching = !search.is_empty();
+        let (_, clears) = text_field(ui, "Search", search, ("all parameters", MAX_TEXT_CHARS), |ui| {
+            with_accessible_name(ui.add_enabled(searching, egui::Button::new("×").small()), "Clear the search")
+                .clicked()
+        });
+        if clears {
+            search.clear();
+        }
+    });
+    let words = app.panel.search.trim().to_owned();
+    let searching = !words.is_empty();
+    let added = app.panel.added_system.take();
+    let mut any = false;
+    for group in Group::ALL {
+        if group == Group::Water && !searching {
+            systems::show_add_button(app, ui);
+        }
+        let in_use = systems::is_in_use(&app.params, group);
+        let shown = |f: &&Field| {
+            f.group == group && rows::matches_search(f, &words) && (in_use || systems::is_asked_for(f, &words))
+        };
+        let fields: Vec<&'static Field> = FIELDS.iter().filter(shown).collect();
+        if fields.is_empty() {
+            continue;
+        }
+        any = true;
+        // A search expands the groups with results. Without a search each group stays as the user left it.
+        let header = egui::CollapsingHeader::new(group.label()).id_salt((group.label(), searching));
+        let expand = (added == Some(group)).then_some(true);
+        header.default_open(searching).open(expand).show(ui, |ui| {
+            rows::show_group(&mut app.params, group, &fields, ui);
+            match group {
+                Group::Sky if !searching => show_sky_file(&mut app.params, ui),
+                Group::Water if !searching => seas::show_seed_row(app, ui),
+                _ if !searching => systems::show_remove_button(&mut app.params, group, ui),
+                _ => {}
+            }
+        });
+    }
+    if !any {
+        ui.weak("No parameter has these words.");
+    }
+}
+
+/// Shows the name of the sky image file, and a button that returns to the computed sky.
+fn show_sky_file(params: &mut Params, ui: &mut egui::Ui) {
+    let Some(file) = &params.look.sky.file else {
+        ui.weak("Drop a .hdr or .exr file for another sky.");
+        return;
+    };
+    let name = file.name.clone();
+    ui.horizontal(|ui| {
+        ui.label(name);
+        if ui.small_button("×").on_hover_text("Back to the built sky.").clicked() {
+            params.look.sky.file = None;
+        }
+    });
+}

@@ -1,0 +1,58 @@
+//! The quiet line over the sea: its wind, its waves, the time, and how the picture keeps up.
+
+use super::super::App;
+use super::super::units::UnitScale;
+use super::weather::compass_point;
+use super::{Tab, has_room};
+use crate::waves::beaufort::{self, BEAUFORT_FORCES};
+
+/// One line about the sea for screen readers, such as `Hs 2.4 m, Beaufort 5`: significant wave height and Beaufort
+/// number.
+#[cfg(target_arch = "wasm32")]
+pub fn sea_summary(app: &App) -> String {
+    let hs = app.length_scale().format(app.derived.theoretical_statistics.hs_m, 1);
+    format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.first_system().wind_m_s))
+}
+
+/// Shows the sea in words at the top left of the window. A click on a line opens the tab that explains it.
+pub fn show_summary(app: &mut App, ctx: &egui::Context) {
+    if !has_room(ctx) {
+        return;
+    }
+    let area = egui::Area::new(egui::Id::unique("summary")).anchor(egui::Align2::LEFT_TOP, egui::vec2(12.0, 12.0));
+    let shade = egui::Color32::from_rgba_unmultiplied(8, 16, 24, 120);
+    let frame = egui::Frame::new().fill(shade).corner_radius(10.0).inner_margin(egui::Margin::symmetric(12, 8));
+    area.show(ctx, |ui| {
+        frame.show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 2.0;
+            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+            let wind_m_s = app.params.sea.first_system().wind_m_s;
+            let name = BEAUFORT_FORCES[beaufort::beaufort_number(wind_m_s)].name;
+            let white = |text: String, points: f32| egui::RichText::new(text).size(points).color(egui::Color32::WHITE);
+            let t = &app.derived.theoretical_statistics;
+            let (metres, speed) = (app.length_scale(), UnitScale::for_unit("m/s", app.params.screen.units));
+            let from = compass_point(app.params.sea.first_system().from_deg);
+            let wind = format!("{name}, {} from {from}", speed.format(wind_m_s, 1));
+            let waves = format!("waves {} high, every {:.0} s", metres.format(t.hs_m, 1), t.tp_s);
+            let keeps_up =
+                format!("t = {:.0} s, {:.0} frames/s", app.params.clock.t_s, app.quality.frames_per_second());
+            let quality = app.quality.describe();
+            let mut line = |ui: &mut egui::Ui, text: egui::RichText, help: &str, tab: Tab| {
+                let label = egui::Label::new(text).sense(egui::Sense::click());
+                let label = ui.add(label).on_hover_text(help).on_hover_cursor(egui::CursorIcon::PointingHand);
+                if label.clicked() {
+                    app.panel.open(tab);
+                }
+            };
+            line(
+                ui,
+                white(wind, 18.0),
+                "Wind speed 10 m above the sea, and the name of its Beaufort force.",
+                Tab::Weather,
+            );
+            let help = "Significant wave height Hs, the mean of the highest third, and period Tp of the peak.";
+            line(ui, white(waves, 14.0), help, Tab::Study);
+            line(ui, white(keeps_up, 12.0), &format!("Simulated time. Picture: {quality}."), Tab::View);
+        });
+    });
+}

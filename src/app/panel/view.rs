@@ -1,0 +1,62 @@
+//! The panel's tab of the view: camera, time, and floating objects.
+
+use super::super::App;
+use super::super::accessible_names::with_accessible_name;
+use super::{button_with_help, time};
+use crate::state::floats::FloatingObjectKind;
+use crate::state::motion;
+
+/// Adds the widgets of the tab.
+pub fn show_view(app: &mut App, ui: &mut egui::Ui) {
+    ui.strong("Look from");
+    show_camera_views(app, ui);
+    ui.add_space(8.0);
+    ui.strong("Time");
+    time::show_time_controls(app, ui);
+    ui.add_space(8.0);
+    ui.strong("Afloat");
+    show_floating_objects(app, ui);
+}
+
+/// Adds a button for each named view of the camera.
+fn show_camera_views(app: &mut App, ui: &mut egui::Ui) {
+    ui.horizontal_wrapped(|ui| {
+        for view in motion::CAMERA_VIEWS {
+            if button_with_help(ui, view.name, view.about) {
+                motion::set_named_view(&mut app.params, view);
+            }
+        }
+    });
+}
+
+/// Adds the widgets that place, list and remove floating objects.
+fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
+    ui.horizontal_wrapped(|ui| {
+        for kind in FloatingObjectKind::ALL {
+            let on = app.placing == Some(kind);
+            let help = "Then click on the sea where it shall be moored.";
+            if ui.selectable_label(on, format!("Moor a {}", kind.word())).on_hover_text(help).clicked() {
+                app.placing = (!on).then_some(kind);
+            }
+        }
+    });
+    let mut lifted = None;
+    for (i, float) in app.params.floating_objects.iter().enumerate() {
+        ui.horizontal(|ui| {
+            let height = app.derived.strongest_waves().sample(float.x_m, float.z_m, app.params.clock.t_s).height_m;
+            let metres = app.length_scale();
+            let [east, south] = [float.x_m, float.z_m].map(|x| metres.format(x, 0));
+            ui.label(format!("{} at {east} east, {south} south: {}", float.kind.word(), metres.format(height, 2)));
+            let cross = ui.small_button("×").on_hover_text("Lifts it out of the water.");
+            if with_accessible_name(cross, &format!("Lift {} {}", float.kind.word(), i + 1)).clicked() {
+                lifted = Some(i);
+            }
+        });
+    }
+    if let Some(i) = lifted {
+        app.params.floating_objects.remove(i);
+    }
+    if app.params.floating_objects.is_empty() {
+        ui.weak("Or press B over the water. The first floating object keeps a record of the height: see the plots.");
+    }
+}

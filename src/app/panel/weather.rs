@@ -1,0 +1,172 @@
+//! The panel's tab of the weather: the few parameters that most people want, in words.
+
+use super::super::App;
+use super::super::accessible_names::with_accessible_value;
+use super::super::units::UnitScale;
+use super::rows;
+use crate::state::Params;
+use crate::state::fields;
+use crate::waves::beaufort::{self, BEAUFORT_FORCES};
+
+/// Names of the sixteen points of the compass, clockwise from north.
+const COMPASS_POINTS: [&str; 16] =
+    ["N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"];
+
+/// Name of the compass point nearest to a direction in degrees, clockwise from north.
+pub fn compass_point(deg: f64) -> &'static str {
+    COMPASS_POINTS[(deg / 22.5).round().rem_euclid(16.0) as usize % 16]
+}
+
+/// A row of the tab: the key of the parameter, the words above it, and what its value means.
+struct Row {
+    key: &'static str,
+    label: &'static str,
+    meaning: fn(&Params) -> String,
+}
+
+fn nothing(_: &Params) -> String {
+    String::new()
+}
+
+const WIND_ROWS: [Row; 2] = [
+    Row { key: "fetch", label: "Blowing over", meaning: |_| "km of open water (fetch)".into() },
+    Row { key: "dir", label: "Wind from", meaning: |p| compass_point(p.sea.first_system().from_deg).into() },
+];
+const SWELL_ROWS: [Row; 3] = [
+    Row { key: "hs2", label: "Swell height", meaning: |_| "waves of a wind far away".into() },
+    Row { key: "tp2", label: "Swell period", meaning: |p| swell_length(p.sea.systems[1].tp_s) },
+    Row { key: "dir2", label: "Swell from", meaning: |p| compass_point(p.sea.systems[1].from_deg).into() },
+];
+const SKY_ROWS: [Row; 4] = [
+    Row { key: "sun", label: "Sun height", meaning: |p| time_of_light(p).into() },
+    Row { key: "sunaz", label: "Sun in the", meaning: |p| compass_point(p.look.sky.sun_azimuth_deg).into() },
+    Row { key: "clouds", label: "Clouds", meaning: nothing },
+    Row { key: "cloudcover", label: "Cloud cover", meaning: nothing },
+];
+const WATER_ROWS: [Row; 1] = [Row { key: "depth", label: "Water depth", meaning: nothing }];
+
+/// Length of a swell in deep water, in words; empty if its period is computed from the wind.
+fn swell_length(period_s: f64) -> String {
+    if period_s > 0.0 { format!("about {:.0} m long", 1.56 * period_s * period_s) } else { String::new() }
+}
+
+fn time_of_light(p: &Params) -> &'static str {
+    match p.look.sky.sun_elevation_deg {
+        x if x < -12.0 => "night",
+        x if x < 0.0 => "dusk or dawn",
+        x if x < 10.0 => "golden light",
+        x if x < 35.0 => "morning or afternoon",
+        _ => "high sun",
+    }
+}
+
+/// Adds the widgets of the tab.
+pub fn show_weather(app: &mut App, ui: &mut egui::Ui) {
+    show_wind(app, ui);
+    show_rows(app, ui, &WIND_ROWS);
+    ui.separator();
+    let swell_before = app.params.sea.systems[1].clone();
+    show_rows(app, ui, &SWELL_ROWS);
+    // Whoever moves a slider of the swell wants one.
+    let swell = &mut app.params.sea.systems[1];
+    if *swell != swell_before && !swell.is_on() {
+        swell.height_factor = 1.0;
+    }
+    if swell.is_on() && ui.button("No swell").clicked() {
+        swell.height_factor = 0.0;
+    }
+    ui.separator();
+    show_rows(app, ui, &SKY_ROWS);
+    ui.separator();
+    show_rows(app, ui, &WATER_ROWS);
+}
+
+fn show_rows(app: &mut App, ui: &mut egui::Ui, rows: &[Row]) {
+    for row in rows {
+        let Some(field) = fields::find(row.key) else { continue };
+        let meaning = (row.meaning)(&app.params);
+        ui.add_space(4.0);
+        let label = ui.horizontal(|ui| {
+            let label = ui.label(row.label).on_hover_text(field.help);
+            ui.weak(meaning);
+            label.id
+        });
+        rows::show_value(&mut app.params, field, label.inner, ui);
+    }
+}
+
+/// Adds the slider of the wind speed, its force and name on the Beaufort scale, what the sea looks like in it, and a
+/// button that gives the wind the fetch for which the sea is as high as the scale says.
+fn show_wind(app: &mut App, ui: &mut egui::Ui) {
+    let units = app.params.screen.units;
+    let speed = UnitScale::for_unit("m/s", units);
+    let wind_m_s = app.params.sea.first_system().wind_m_s;
+    let force = beaufort::beaufort_number(wind_m_s);
+    ui.horizontal(|ui| {
+        ui.strong("Wind");
+        ui.weak(format!("force {force}, {}", BEAUFORT_FORCES[force].name.to_lowercase()));
+    });
+    let mut number = force;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().slider_width = rows::slider_width(ui);
+        let slider = egui::Slider::new(&mut number, 0..=12).show_value(false);
+        let help = "Sets the wind of this force, and a fetch for which the sea is as high as the scale says.";
+        with_accessible_value(ui.add(slider).on_hover_text(help), "Beaufort", number as f64);
+        let mut shown = wind_m_s * speed.factor;
+        let exact = egui::DragValue::new(&mut shown).range(0.0..=60.0 * speed.factor).speed(0.1).max_decimals(1);
+        let exact = exact.suffix(speed.suffix()).custom_parser(move |text| parse_wind(text, speed));
+        let exact = with_accessible_value(ui.add(exact), "Wind speed", wind_m_s);
+        if exact.on_hover_text("Wind speed 10 m above the sea; 25 kn, 12 m/s and 7 bft are understood.").changed() {
+            app.params.sea.systems[0].wind_m_s = shown / speed.factor;
+        }
+    });
+    if number != force {
+        app.params = BEAUFORT_FORCES[number].apply(&app.params);
+    }
+    let force = &BEAUFORT_FORCES[force];
+    let metres = app.length_scale();
+    let hs_m = app.derived.theoretical_statistics.hs_m;
+    let (code, word) = beaufort::sea_state(hs_m);
+    ui.label(force.appearance).on_hover_text("Beaufort scale, WMO");
+    ui.weak(format!(
+        "Textbook height {}, this sea {}; sea state {code}, {word} (Douglas)",
+        metres.format(force.probable_hs_m, 1),
+        metres.format(hs_m, 1),
+    ));
+}
+
+/// Reads a typed wind speed in the shown unit `speed`, in another unit that is named, or in Beaufort ("7 bft").
+fn parse_wind(text: &str, speed: UnitScale) -> Option<f64> {
+    let lower = text.trim().to_lowercase();
+    let Some(force) = lower.strip_suffix("bft").or_else(|| lower.strip_prefix("force")) else {
+        return speed.parse(&lower);
+    };
+    let force: usize = force.trim().parse().ok()?;
+    Some(BEAUFORT_FORCES.get(force)?.mean_wind_m_s * speed.factor)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::params::Units;
+
+    #[test]
+    fn compass_points_are_the_nearest() {
+        let points = [(0.0, "N"), (350.0, "N"), (45.0, "NE"), (269.0, "W"), (281.0, "W"), (282.0, "WNW"), (-90.0, "W")];
+        for (deg, name) in points {
+            assert_eq!(compass_point(deg), name, "{deg}");
+        }
+    }
+
+    #[test]
+    fn a_typed_wind_may_have_any_unit() {
+        let speed = UnitScale::for_unit("m/s", Units::Metric);
+        assert!((parse_wind("25 kn", speed).expect("knots") - 12.861).abs() < 1e-3);
+        assert_eq!(parse_wind("7 bft", speed), Some(15.5));
+        assert_eq!(parse_wind("force 9", speed), Some(22.6));
+        assert_eq!(
+            (parse_wind("12", speed), parse_wind("13 bft", speed), parse_wind("x", speed)),
+            (Some(12.0), None, None)
+        );
+    }
+}
