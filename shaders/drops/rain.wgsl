@@ -86,7 +86,8 @@ fn rain_splash(i: u32) -> RainQuad {
   let side = 0.5 * rain.cell_m * f32(RAIN_SPLASH_SIDE);
   let far = 1.0 - smoothstep(0.6 * side, side, distance_m);
   let share = min(2.0 * half_m / pixel_m, 1.0) * min(height_m / pixel_m, 1.0);
-  return RainQuad(foot + along, along, rain_across(foot, along, half_m, pixel_m), 0.35 * far * share * saturate(8.0 - 8.0 * age));
+  let opacity = 0.35 * far * share * saturate(8.0 - 8.0 * age);
+  return RainQuad(foot + along, along, rain_across(foot, along, half_m, pixel_m), opacity);
 }
 
 @vertex

@@ -2,19 +2,19 @@
 // follows from the number of its place and of its period (src/render/drops/spray.rs) and from the maps at the present
 // time, so nothing is stored between frames.
 //
-// A puff of the age a was born at the undisplaced place X. A crest that moves at the speed c and keeps its form has moved
-// from X to X + c a since. So the height of X at the birth is that of X + c a now, and X had a breaking front if X + c a
-// has one now and bubbles have been left at X.
+// A puff of the age a was born at the undisplaced place X. A crest that moves at the speed c and keeps its form has
+// moved from X to X + c a since. So the height of X at the birth is that of X + c a now, and X had a breaking front if
+// X + c a has one now and bubbles have been left at X.
 
 @group(2) @binding(0) var<uniform> spray: Spray;
 @group(2) @binding(1) var depth_map: texture_depth_2d;
 
 // Number of places along a side of a grid (`SIDE` in src/render/drops/spray.rs).
-const SPRAY_SIDE = 64u;
+const SPRAY_SIDE = 96u;
 // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
 const SPRAY_COARSE_SHARE = 0.35;
 // Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(0.8, 1.3);
+const SPRAY_OPTICAL_DEPTH = vec2f(0.6, 0.8);
 // Exposure time over which a puff moves in the picture, s.
 const SPRAY_EXPOSURE_S = 0.02;
 // Range of the front of a breaker over which it throws up spray.
@@ -41,9 +41,10 @@ struct SprayFragment {
   @location(4) @interpolate(flat) depth: vec2f,
 }
 
-// Values of the foam map at an undisplaced position: foam, source, front and plume.
+// Values of the foam map at an undisplaced position: foam, source, front and plume. The finest level is left out: its
+// smallest fronts move more slowly than the large ones that throw up spray.
 fn spray_foam(at: vec2f) -> vec4f {
-  for (var level = 0u; level < frame.foam_level_count; level++) {
+  for (var level = 1u; level < frame.foam_level_count; level++) {
     let map = frame.foam_levels[level];
     let off = abs(at - map.centre);
     if max(off.x, off.y) * map.inverse_half_side < 1.0 {
@@ -94,7 +95,7 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   let relaxation_s = select(0.12 + 0.25 * more.y, 0.45, is_coarse);
   let fall = select(0.3 + 0.5 * more.y, 3.0 + 2.0 * more.y, is_coarse);
   let across = vec2f(-spray.downwind.y, spray.downwind.x);
-  let jet = sqrt(frame.hs_m) * select(0.4 + 0.6 * more.z, 0.5 + 1.0 * more.z, is_coarse);
+  let jet = sqrt(frame.hs_m) * select(0.4 + 0.6 * more.z, 0.4 + 0.8 * more.z, is_coarse);
   let sideways = (random.z - 0.5) * across;
   let start = (spray.breaker_speed_m_s * (0.8 + 0.5 * random.w)) * spray.downwind + 2.0 * sideways;
   let gust = spray.wind_m_s * (0.75 + 0.35 * more.w);
@@ -105,10 +106,10 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   out.position = vec3f(place.x, 0.0, place.y) + moved + rest * t + change * (relaxation_s * (1.0 - left));
   out.velocity = rest + change * left;
   // Turbulence widens a puff, which thins.
-  let young_m = cell_m * select(0.32 + 0.3 * random.z, 0.25 + 0.2 * random.z, is_coarse);
+  let young_m = cell_m * select(0.4 + 0.4 * random.z, 0.3 + 0.3 * random.z, is_coarse);
   let growth = select(0.7 + 1.8 * age, 0.7 + 1.0 * age, is_coarse);
   out.radius_m = young_m * growth;
-  out.stretch = select(1.3 + 3.5 * age, 1.2, is_coarse);
+  out.stretch = select(1.8 + 3.0 * age, 1.5, is_coarse);
   let life = maths_smooth(age * 8.0) * pow(1.0 - age, select(3.0, 2.0, is_coarse));
   let depths = select(SPRAY_OPTICAL_DEPTH.x, SPRAY_OPTICAL_DEPTH.y, is_coarse);
   out.optical_depth = depths * torn * life / (growth * growth);
@@ -158,7 +159,8 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let along = seen / speed;
   let long_m = puff.radius_m * puff.stretch + 0.5 * SPRAY_EXPOSURE_S * speed;
   let index = corner % 6u;
-  let at = vec2f(select(-1.0, 1.0, index == 1u || index == 3u || index == 4u), select(-1.0, 1.0, index == 2u || index > 3u));
+  let x = select(-1.0, 1.0, index == 1u || index == 3u || index == 4u);
+  let at = vec2f(x, select(-1.0, 1.0, index == 2u || index > 3u));
   let point = centre + along * (at.x * long_m) + cross(dir, along) * (at.y * puff.radius_m);
   let drop = dot(point.xz, point.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
   out.clip = frame.clip_from_relative * vec4f(point.x, point.y - drop, point.z, 1.0);
@@ -181,6 +183,9 @@ fn fragment(in: SprayFragment) -> @location(0) vec4f {
   let fine = textureSampleLevel(noise_map, noise_sampler, wide_at.yx * 2.7, in.noise_lod + 1.4).g;
   let scene_m = frame.clip_from_relative[3].z / max(textureLoad(depth_map, vec2i(in.clip.xy), 0), 1e-9);
   let free = saturate((scene_m - in.depth.x) / in.depth.y);
-  let opacity = 1.0 - exp(-in.light.w * inside * inside * 4.0 * wide * fine * free);
+  // Its square has more contrast. Fewer drops are told apart, the more of the noise lies within a pixel.
+  let noise = 4.0 * wide * fine;
+  let clumped = noise * noise / mix(1.78, 1.0, saturate(0.25 * in.noise_lod));
+  let opacity = 1.0 - exp(-in.light.w * inside * inside * clumped * free);
   return vec4f(min(in.light.rgb, vec3f(6e4)) * opacity, opacity);
 }

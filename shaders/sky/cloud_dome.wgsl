@@ -143,12 +143,15 @@ fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4
   // Drops turn sunlight forwards, where it falls on them between the clouds.
   let forwards = atm_henyey_greenstein(dot(dir, sky.sun_direction), 0.7);
   let shade = mix(0.07, 0.3, sky_open_share());
-  let sun = light.sun_irradiance * (light.cloud_sun_transmittance * forwards);
+  let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun_direction.y, sky.sun_radius_rad);
+  let between = light.cloud_sun_transmittance * pow(1.0 - sky.overcast, 1.5);
+  let sun = atm_linear_srgb(lit) * sky.sun_tint * (between * forwards);
   let grey = mix(clear, vec3f(sky_luminance(clear)), 0.6);
   let air = dome_air_transmittance(dir.y, shafts.y);
   let whole = dome_air_transmittance(dir.y, 1e3);
   let hazed = saturate((1.0 - air) / max(1.0 - whole, vec3f(1e-3)));
-  let before = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), veil) * (hazed * 0.5 * sky_shaded_air());
+  let open_air = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), veil);
+  let before = open_air * (hazed * 0.5 * sky_shaded_air());
   let own = (grey * shade + sun) * air + before;
   return vec4f(behind.rgb * shafts.x + own * (1.0 - shafts.x), behind.a * shafts.x);
 }

@@ -1,5 +1,5 @@
-// Shafts of rain between clouds and sea, seen at a distance. Distances are in km, in the frame of the clouds' field. Needs
-// the functions of cloud_field.wgsl.
+// Shafts of rain between clouds and sea, seen at a distance. Distances are in km, in the frame of the clouds' field.
+// Needs the functions of cloud_field.wgsl.
 
 // Whether shafts of rain are compiled in.
 override CLOUD_SQUALLS: bool = false;
@@ -11,8 +11,8 @@ const SQUALL_FAR_KM = 70.0;
 const SQUALL_NEAR_KM = vec2f(1.5, 5.0);
 // Extinction coefficient of the densest shafts, 1/km, as in rain of 10 mm/h.
 const SQUALL_EXTINCTION_PER_KM = 2.0;
-// Distance by which falling rain lags behind its cloud for each km of fall: the difference of wind speeds at the cloud and
-// below, divided by the fall speed.
+// Distance by which falling rain lags behind its cloud for each km of fall: the difference of wind speeds at the cloud
+// and below, divided by the fall speed.
 const SQUALL_LAG = 1.1;
 // Width of the edge of a shaft, in values of the noise.
 const SQUALL_EDGE = 0.1;
@@ -34,8 +34,8 @@ fn squall_density(p: vec3f) -> f32 {
   return below * shaft * smoothstep(0.0, 0.2, cloud) * saturate(0.35 + 2.6 * (fine - 0.45));
 }
 
-// Light that shafts on a ray from the sea let through up to the distance `near`, where the ray meets the clouds' base (x),
-// and the mean distance of what is seen (y).
+// Light that shafts on a ray from the sea let through up to the distance `near`, where the ray meets the clouds' base
+// (x), and the mean distance of what is seen (y).
 fn squall_march(dir: vec3f, near: f32) -> vec2f {
   let ray = cloud_turned(dir);
   let far = min(near, SQUALL_FAR_KM);

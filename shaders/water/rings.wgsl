@@ -1,5 +1,6 @@
-// Rings of waves around the places where raindrops fall. Their mean square slope is part of the slopes that no map holds
-// (src/render/frame.rs). Where pixels are short enough to show rings, this part moves from the variance to the slope.
+// Rings of waves around the places where raindrops fall. Their mean square slope is part of the slopes that no map
+// holds (src/render/frame.rs). Where pixels are short enough to show rings, this part moves from the variance to the
+// slope.
 
 // Whether there is rain.
 override WATER_RAIN: bool = false;
@@ -7,12 +8,13 @@ override WATER_RAIN: bool = false;
 // Layers of rings: side of a cell with one ring at a time, m; wave number, rad/m; half width of the packet of waves, m;
 // and share of the mean square slope. A ring reaches from its middle to half a cell at most.
 const RING_LAYERS = array<vec4f, 2>(vec4f(0.42, 121.0, 0.036, 0.55), vec4f(0.26, 190.0, 0.022, 0.45));
-// Number of cells in the period of 5.46 m by which positions are counted (`RING_PERIOD_M` in src/render/water/material.rs).
+// Number of cells in the period of 5.46 m by which positions are counted (`RING_PERIOD_M` in
+// src/render/water/material.rs).
 const RING_CELLS_PER_PERIOD = array<i32, 2>(13, 21);
 // Growth of the radius during the life of a ring, in cells, so that with its width it stays within half a cell.
 const RING_REACH = 0.36;
-// Mean square slope of rings with amplitude 1 in every cell is RING_SQUARE * RING_REACH * half width / cell: the integral
-// of 2 pi r cos^2 exp(-2 (r - r0)^2 / w^2) over r, and with the fading over the life of a ring.
+// The mean square slope of rings with amplitude 1 in every cell is RING_SQUARE * RING_REACH * half width / cell: the
+// integral of 2 pi r cos^2 exp(-2 (r - r0)^2 / w^2) over r, with the fading over the life of a ring.
 const RING_SQUARE = 0.34;
 
 fn ring_random(seed: vec4u) -> vec4f {

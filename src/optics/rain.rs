@@ -1,4 +1,5 @@
-//! Rain: sizes, number and fall of its drops, the light that they take, and the waves that they make. Rates are in mm/h.
+//! Rain: sizes, number and fall of its drops, the light that they take, and the waves that they make. Rates are in
+//! mm/h.
 
 use std::f64::consts::PI;
 

@@ -1,6 +1,6 @@
-//! Drops in the air: spray of breaking crests (shaders/drops/spray.wgsl) and rain (shaders/drops/rain.wgsl). Each is one
-//! draw of small quads over the finished light. A drop follows from its number and the time alone, so a still depends on
-//! nothing else, and nothing is stored between frames.
+//! Drops in the air: spray of breaking crests (shaders/drops/spray.wgsl) and rain (shaders/drops/rain.wgsl). Each is
+//! one draw of small quads over the finished light. Drops follow from their numbers, the time and the maps of that time,
+//! so a still depends on its state alone, and nothing is stored between frames.
 
 pub mod rain;
 pub mod spray;
@@ -15,8 +15,8 @@ use crate::shaders::Shaders;
 use rain::RainUniform;
 use spray::SprayUniform;
 
-/// Drops hide what is behind them by their opacity. The alpha of the picture, from which the tone pass finds edges, stays
-/// that of what is behind.
+/// Drops hide what is behind them by their opacity. The alpha of the picture, from which the tone pass finds edges,
+/// stays that of what is behind.
 const BLEND: wgpu::BlendState = wgpu::BlendState {
     color: wgpu::BlendComponent::OVER,
     alpha: wgpu::BlendComponent {

@@ -8,8 +8,8 @@ use crate::render::scene::Scene;
 const BOX_M: f64 = 8.0;
 /// The middle of the box lies so far before the eye, m.
 const AHEAD_M: f64 = 3.4;
-/// Most drops that are drawn, and the diameter from which they are seen singly, mm. All others only take light from what
-/// is far away.
+/// Most drops that are drawn, and the diameter from which they are seen singly, mm. All others only take light from
+/// what is far away.
 const MOST_DROPS: f64 = 12_288.0;
 const LEAST_DIAMETER_MM: f64 = 1.0;
 /// Largest factor on the opacity of drops by which they stand for smaller ones, too.
@@ -32,8 +32,8 @@ gpu_struct! {
         /// For each class of drops: place of the box in the pattern of drops that moves with them, in sides of the box;
         /// and the diameter, m.
         classes: [[f32; 4]; CLASSES],
-        /// For each class of drops: velocity, m/s, and a factor on the opacity, by which the drawn drops hide as much as all
-        /// drops of the box.
+        /// For each class of drops: velocity, m/s, and a factor on the opacity, by which the drawn drops hide as much as
+        /// all drops of the box.
         velocities: [[f32; 4]; CLASSES],
         /// Middle of the box relative to the eye, m.
         middle: [f32; 3],

@@ -1,12 +1,12 @@
-//! Spray of breaking crests: square grids of places, anchored to the world, from which puffs of drops come. Each place has
-//! one puff at a time; coarser grids with larger puffs follow farther from the eye.
+//! Spray of breaking crests: square grids of places, anchored to the world, from which puffs of drops come. Each place
+//! has one puff at a time; coarser grids with larger puffs follow farther from the eye.
 
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::Scene;
 
 /// Number of places along a side of a grid (`SPRAY_SIDE` in shaders/drops/spray.wgsl), and of grids.
-const SIDE: u32 = 64;
-const LEVELS: usize = 5;
+const SIDE: u32 = 96;
+const LEVELS: usize = 4;
 /// Number of puffs.
 pub const QUADS: u32 = SIDE * SIDE * LEVELS as u32;
 /// Distance between the places of the finest grid, m, and its growth from each grid to the next.
@@ -18,8 +18,8 @@ const AHEAD: f64 = 0.42;
 const REACH: f64 = 0.7;
 /// Time between two puffs of a place, s; no puff lasts longer.
 const PUFF_S: f64 = 1.6;
-/// Wind speed at 10 m from which crests lose spray, and range above it over which it becomes full, m/s. Beaufort's scale
-/// has blown foam from 14 m/s, spindrift from 17 m/s and spray that affects the visibility from 21 m/s.
+/// Wind speed at 10 m from which crests lose spray, and range above it over which it becomes full, m/s. Beaufort's
+/// scale has blown foam from 14 m/s, spindrift from 17 m/s and spray that affects the visibility from 21 m/s.
 const FIRST_WIND_M_S: f64 = 12.0;
 const WIND_RANGE_M_S: f64 = 14.0;
 /// Wind speed at the height of the spray divided by that at 10 m.

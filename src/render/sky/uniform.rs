@@ -10,8 +10,8 @@ use crate::state::look::{CloudKind, SkyLook};
 /// Step in which clouds move in the environment map (the sky that the sea reflects), km. It is less than a texel, and
 /// clouds take seconds to drift so far, so the map is computed again only every few seconds.
 const REFLECTED_CLOUD_STEP_KM: f64 = 0.05;
-/// Height up to which rain hides what is behind it, m, and the height over which it thins above. Rain falls from higher up,
-/// but drops scatter light by small angles, which blurs a wave far away and not a cloud.
+/// Height up to which rain hides what is behind it, m, and the height over which it thins above. Rain falls from higher
+/// up, but drops scatter light by small angles, which blurs a wave far away and not a cloud.
 const RAIN_TOP_M: f64 = 150.0;
 const RAIN_SCALE_HEIGHT_M: f64 = 60.0;
 
