@@ -23,7 +23,7 @@ use std::sync::{LazyLock, Mutex};
 const SEAS: [&str; 3] = ["n=256", "n=512", "n=1024"];
 /// Pictures that together need the renderer's pipelines: one for each part that shaders have or lack, except for a sky
 /// from a file, which no state string holds.
-const PICTURES: [&str; 20] = [
+const PICTURES: [&str; 23] = [
     "",
     "detail=lean",
     "foam=0",
@@ -35,6 +35,9 @@ const PICTURES: [&str; 20] = [
     "fog=1",
     "overcast=0.5",
     "clouds=cumulus",
+    "clouds=storm&squalls=0.3",
+    "rain=5",
+    "wind=20&spray=1",
     "glints=1",
     "gusts=1",
     "clouds=cumulus&glints=1&gusts=1&depth=4&caustics=1",

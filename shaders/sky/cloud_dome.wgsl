@@ -131,6 +131,31 @@ fn dome_air_transmittance(mu: f32, t: f32) -> vec3f {
   return atm_linear_srgb(whole / max(beyond, vec4f(1e-6))) * ATM_INVERSE_SUN;
 }
 
+// The clouds `behind` in a direction, behind shafts of rain in the shade below the clouds.
+fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4f {
+  let shafts = squall_march(dir, near);
+  if shafts.x > 0.999 {
+    return behind;
+  }
+  let veil = sky.overcast * sky.overcast;
+  let deck = light.overcast_zenith_radiance * (7.0 / 9.0);
+  let clear = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
+  // Drops turn sunlight forwards, where it falls on them between the clouds.
+  let forwards = atm_henyey_greenstein(dot(dir, sky.sun_direction), 0.7);
+  let shade = mix(0.07, 0.3, sky_open_share());
+  let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun_direction.y, sky.sun_radius_rad);
+  let between = light.cloud_sun_transmittance * pow(1.0 - sky.overcast, 1.5);
+  let sun = atm_linear_srgb(lit) * sky.sun_tint * (between * forwards);
+  let grey = mix(clear, vec3f(sky_luminance(clear)), 0.6);
+  let air = dome_air_transmittance(dir.y, shafts.y);
+  let whole = dome_air_transmittance(dir.y, 1e3);
+  let hazed = saturate((1.0 - air) / max(1.0 - whole, vec3f(1e-3)));
+  let open_air = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), veil);
+  let before = open_air * (hazed * 0.5 * sky_shaded_air());
+  let own = (grey * shade + sun) * air + before;
+  return vec4f(behind.rgb * shafts.x + own * (1.0 - shafts.x), behind.a * shafts.x);
+}
+
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let size = textureDimensions(dome_out);
@@ -168,6 +193,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let before = clear * saturate(hazed) * (sky_shaded_air() * (1.0 - seen.transmittance));
       out = vec4f(radiance * air + before, seen.transmittance);
     }
+  }
+  if CLOUD_SQUALLS {
+    out = dome_behind_squalls(out, dir, above, near);
   }
   textureStore(dome_out, vec2u(id.x, row), cloud_field.layer, vec4f(min(out.rgb, vec3f(6e4)), out.a));
 }

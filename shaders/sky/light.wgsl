@@ -67,7 +67,11 @@ fn clear_irradiance() {
   if sky.fog.extinction_per_m > 0.0 {
     // Sunlight in the middle of the fog, and the diffuse light there, which includes the sunlight that the fog above
     // has scattered. About as much light goes up as comes down.
-    let o = sky.overcast * sky.overcast;
+    var o = sky.overcast * sky.overcast;
+    if sky.has_cloud_dome > 0.0 {
+      // Volumetric clouds light the fog like a deck where they close the sky.
+      o = mix(1.0, o, sky_open_share());
+    }
     let sunlight = fog_transmittance(0.5 * max(sky.fog.top_m, 0.0), sky.sun_direction.y, 0.0, FOG_FAR_M);
     let sun = light.sun_irradiance * light.cloud_sun_transmittance;
     light.fog_sun_irradiance = sun * sunlight;

@@ -59,6 +59,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   let eye_sine = -dir.y - (1.0 / FRAME_EARTH_RADIUS_M) * dot(point.position.xz, dir.xz);
   // The vertical turns by so little over the Earth's curve that `v` stays a unit vector.
   let v = vec3f(-dir.x, max(eye_sine, 1e-4), -dir.z);
+  if WATER_RAIN {
+    slope = ring_add(slope, point.undisplaced, foot.length_m);
+  }
   let n = water_normal(slope.mean);
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);

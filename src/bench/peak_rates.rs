@@ -151,6 +151,6 @@ fn full_screen_pipeline(
         label,
         &RenderProgram::new(&module),
         layouts,
-        &AttachmentFormats { formats: &[TARGET_FORMAT], depth: None },
+        &AttachmentFormats { formats: &[TARGET_FORMAT], depth: None, blend: None },
     )
 }

@@ -104,6 +104,8 @@ pub struct AttachmentFormats<'a> {
     pub formats: &'a [wgpu::TextureFormat],
     /// How depth is tested and written. None if nothing is drawn on a depth texture.
     pub depth: Option<DepthState>,
+    /// How the shader's colours are mixed with those drawn before. None if they replace them.
+    pub blend: Option<wgpu::BlendState>,
 }
 
 /// Depth texture format of a render pipeline, and how the pipeline tests and writes depth.
@@ -272,7 +274,9 @@ impl Gpu {
         report(&Made::Render(label, program, onto));
         let RenderProgram { module, entry_points: [vertex, fragment], constants } = *program;
         let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
-        let targets: Vec<_> = onto.formats.iter().map(|&format| Some(format.into())).collect();
+        let write_mask = wgpu::ColorWrites::ALL;
+        let target = |&format| Some(wgpu::ColorTargetState { format, blend: onto.blend, write_mask });
+        let targets: Vec<_> = onto.formats.iter().map(target).collect();
         self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(label),
             layout: Some(&self.pipeline_layout(label, layouts)),

@@ -27,6 +27,7 @@ impl Interpolate for SeaAppearance {
             still_water_level_m: interpolate(self.still_water_level_m, to.still_water_level_m, fraction),
             wind_m_s: interpolate(self.wind_m_s, to.wind_m_s, fraction),
             downwind: if length > 1e-3 { [x / length, z / length] } else { to.downwind },
+            breaker_speed_m_s: interpolate(self.breaker_speed_m_s, to.breaker_speed_m_s, fraction),
             cloud_velocity_m_s: interpolate_pair(self.cloud_velocity_m_s, to.cloud_velocity_m_s, fraction),
             unresolved_slope_variance: interpolate_pair(
                 self.unresolved_slope_variance,

@@ -1,4 +1,5 @@
-//! Optical properties of sea water, and the position of the sun.
+//! Optical properties of sea water and of rain, and the position of the sun.
 
+pub mod rain;
 pub mod sun;
 pub mod water;

@@ -4,6 +4,7 @@
 use super::scene::{Scene, SeaAppearance};
 use super::water::mesh::{Mesh, MeshLattice};
 use crate::gpu::layout::gpu_struct;
+use crate::optics::rain;
 use crate::sim::Maps;
 use crate::sim::maps::{FoamLevel, MAX_DRAWN_CASCADES, MapCascade, TileLatticePosition};
 use crate::waves::foam::FOAM_LEVEL_COUNT;
@@ -350,10 +351,12 @@ pub fn horizon_dip(eye_height_m: f64) -> f64 {
 
 /// Chooses the ripples, shrunk copies of cascades that stand for shorter waves. Returns the cascades to shrink, each
 /// with the ratio of its ripples' slope variance to the cascade's; and the covariances (xx, zz, xz) of the slopes along
-/// x and z of waves that neither cascades nor ripples hold.
+/// x and z of waves that neither cascades nor ripples hold, with the rings of raindrops.
 fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64)>, [f32; 3]) {
     let sea = &scene.sea;
-    let mut left = sea.unresolved_slope_variance;
+    let rain = scene.look.sky.rain_mm_h;
+    let unresolved = sea.unresolved_slope_variance.map(|v| v * rain::short_wave_factor(rain));
+    let mut left = unresolved;
     let mut shown = Vec::new();
     let own = (
         maps.cascades.last(),
@@ -365,14 +368,16 @@ fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64
     });
     for (cascade, finest, weight) in std::iter::once(own).chain(fading) {
         // Ripples scale both slope components of their cascade alike; neither may exceed the unresolved variance.
-        let fraction = |i: usize| if finest[i] > 1e-5 { sea.unresolved_slope_variance[i] / finest[i] } else { 0.0 };
+        let fraction = |i: usize| if finest[i] > 1e-5 { unresolved[i] / finest[i] } else { 0.0 };
         let fraction = (MAX_RIPPLE_VARIANCE_FRACTION * fraction(0).min(fraction(1))).min(1.0);
         if let Some(cascade) = cascade.filter(|_| fraction > 0.0) {
             shown.push((cascade, fraction));
             left = [left[0] - fraction * weight * finest[0], left[1] - fraction * weight * finest[1]];
         }
     }
-    (shown, covariance_in_world_axes(sea, left.map(|l| l.max(0.0))))
+    // Rings of drops run in all directions.
+    let rings = 0.5 * rain::ring_slope_variance(rain);
+    (shown, covariance_in_world_axes(sea, left.map(|l| l.max(0.0) + rings)))
 }
 
 /// Variances along x (east) and z (south) and covariance, in the order xx, zz, xz, of slopes that have the given

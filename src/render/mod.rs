@@ -3,6 +3,7 @@
 //! A frame computes the sky's look-up tables (only if the light changed), draws sky and water into an HDR target, and
 //! applies the tone curve for the screen. Every pass depends only on [`Scene`] and [`Maps`].
 
+mod drops;
 mod film;
 mod frame;
 mod reference;
@@ -31,6 +32,9 @@ use crate::sim::maps::TileLatticePosition;
 use crate::state::camera::View;
 use crate::state::look::Look;
 use crate::state::views::DisplayedView;
+use drops::DropPasses;
+use drops::rain::RainUniform;
+use drops::spray::{SprayLevel, SprayUniform};
 use film::present::PresentPass;
 use film::tone::{TonePass, ToneUniform};
 use frame::{FrameCascade, FrameFoamGrid};
@@ -65,6 +69,9 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     LightBuffer::DECLARATION,
     CloudField::DECLARATION,
     CloudView::DECLARATION,
+    SprayLevel::DECLARATION,
+    SprayUniform::DECLARATION,
+    RainUniform::DECLARATION,
     ToneUniform::DECLARATION,
     ViewTile::DECLARATION,
     ViewUniform::DECLARATION,
@@ -99,6 +106,7 @@ pub struct Renderer {
     water: WaterPass,
     background: BackgroundPass,
     hulls: HullPass,
+    drops: DropPasses,
     tone: TonePass,
     present_pass: PresentPass,
     targets: Option<Targets>,
@@ -122,6 +130,7 @@ impl Renderer {
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
         let hulls = HullPass::new(gpu, &shaders);
+        let drops = DropPasses::new(&shaders);
         let tone = TonePass::new(gpu, &shaders, &sky.light_buffer, output != OutputKind::Reference);
         let present_pass = PresentPass::new(gpu, &shaders, screen_format);
         // The empty submission makes a browser start compiling the pipelines while the CPU computes the noise.
@@ -137,6 +146,7 @@ impl Renderer {
             water,
             background,
             hulls,
+            drops,
             tone,
             present_pass,
             targets: None,
@@ -198,6 +208,7 @@ impl Renderer {
         self.water.bind_maps(gpu, maps);
         if let Some(targets) = &self.targets {
             self.water.bind_targets(gpu, targets);
+            self.drops.prepare(gpu, &self.water, targets, scene);
         }
         self.water.mesh.set_mesh(gpu, mesh);
         let below_eye = [scene.view.eye.x, scene.view.eye.z];
@@ -227,9 +238,15 @@ impl Renderer {
         let mut pass = targets.begin_light(encoder, timer);
         self.background.draw(&mut pass, &self.water.scene, &self.sky);
         self.water.draw_light(&mut pass);
+        if !self.hulls.is_needed() {
+            self.drops.draw(&mut pass, &self.water);
+            return;
+        }
         drop(pass);
-        if self.hulls.is_needed() {
-            self.hulls.draw(&mut targets.begin_hulls(encoder, timer), &self.water.scene);
+        let has_drops = self.drops.are_needed();
+        self.hulls.draw(&mut targets.begin_hulls(encoder, timer, has_drops), &self.water.scene);
+        if has_drops {
+            self.drops.draw(&mut targets.begin_drops(encoder, timer), &self.water);
         }
     }
 

@@ -11,6 +11,9 @@ use crate::waves::slopes::{self, SlopeVariance};
 /// Speed of low clouds divided by wind speed at 10 m, from a logarithmic wind profile up to the boundary layer's top.
 const CLOUD_SPEED_PER_WIND_SPEED: f64 = 1.4;
 
+/// Speed of large breaking crests divided by the phase speed of the waves at the peak of the spectrum.
+const BREAKER_SPEED_RATIO: f64 = 0.7;
+
 /// Everything that determines a picture besides the maps of the simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
@@ -57,6 +60,8 @@ pub struct SeaAppearance {
     pub wind_m_s: f64,
     /// Direction towards which the wind blows: unit vector (x, z), x east and z south.
     pub downwind: [f64; 2],
+    /// Speed of breaking crests, m/s.
+    pub breaker_speed_m_s: f64,
     /// Velocity (x, z) of the clouds, m/s.
     pub cloud_velocity_m_s: [f64; 2],
     /// Slope variance along and across the wind of waves too short for any cascade: the total of Cox and Munk (1954)
@@ -84,6 +89,7 @@ impl SeaAppearance {
             still_water_level_m: plan.sea.still_water_level_m,
             wind_m_s,
             downwind: plan.downwind,
+            breaker_speed_m_s: BREAKER_SPEED_RATIO * plan.omega_p / plan.dispersion.wave_number(plan.omega_p).max(1e-6),
             cloud_velocity_m_s: plan.downwind.map(|w| w * CLOUD_SPEED_PER_WIND_SPEED * wind_m_s),
             unresolved_slope_variance: slopes::residual_slope_variance(plan, resolved_slope_variance),
             resolved_slope_variance,
@@ -104,6 +110,7 @@ impl SeaAppearance {
             depth_m: 4000.0,
             wind_m_s: 10.0,
             downwind: [1.0, 0.0],
+            breaker_speed_m_s: 7.0,
             unresolved_slope_variance: [0.005; 2],
             resolved_slope_variance: [0.02; 2],
             finest_cascade_slope_variance: [0.005; 2],

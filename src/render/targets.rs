@@ -48,7 +48,7 @@ impl OutputKind {
 /// Attachments of a render pipeline that draws into the picture: a colour target of `format` for the linear light, and
 /// the depth texture with the depth test `depth`.
 pub fn attachments(format: &wgpu::TextureFormat, depth: DepthState) -> AttachmentFormats<'_> {
-    AttachmentFormats { formats: std::slice::from_ref(format), depth: Some(depth) }
+    AttachmentFormats { formats: std::slice::from_ref(format), depth: Some(depth), blend: None }
 }
 
 /// Textures that a picture of one size is drawn into: linear light, depth and G-buffer.
@@ -106,10 +106,23 @@ impl Targets {
         begin_pass(encoder, ("light", timer.render_pass("light")), &[Some(light)], depth)
     }
 
-    /// Begins the render pass that draws floating objects over the light and depth of sky and water.
-    pub fn begin_hulls<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, timer: &Timer) -> wgpu::RenderPass<'a> {
+    /// Begins the render pass that draws drops over everything else. It cannot write depth, so that shaders can read it.
+    pub fn begin_drops<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, timer: &Timer) -> wgpu::RenderPass<'a> {
+        let depth = wgpu::RenderPassDepthStencilAttachment { view: &self.depth, depth_ops: None, stencil_ops: None };
         let light = colour_attachment(&self.hdr, wgpu::LoadOp::Load);
-        let depth = self.depth_attachment(wgpu::LoadOp::Load, self.keeps_depth);
+        begin_pass(encoder, ("drops", timer.render_pass("drops")), &[Some(light)], depth)
+    }
+
+    /// Begins the render pass that draws floating objects over the light and depth of sky and water. `needs_depth` tells
+    /// that a later pass reads their depth.
+    pub fn begin_hulls<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        timer: &Timer,
+        needs_depth: bool,
+    ) -> wgpu::RenderPass<'a> {
+        let light = colour_attachment(&self.hdr, wgpu::LoadOp::Load);
+        let depth = self.depth_attachment(wgpu::LoadOp::Load, self.keeps_depth || needs_depth);
         begin_pass(encoder, ("hulls", timer.render_pass("hulls")), &[Some(light)], depth)
     }
 

@@ -101,7 +101,7 @@ mod tests {
             "@vertex fn vertex() -> @builtin(position) vec4f { return vec4f(0.0); }
              @fragment fn fragment() -> @location(0) vec4f { return vec4f(1.0); }",
         );
-        let onto = AttachmentFormats { formats: &[wgpu::TextureFormat::Rgba8Unorm], depth: None };
+        let onto = AttachmentFormats { formats: &[wgpu::TextureFormat::Rgba8Unorm], depth: None, blend: None };
         gpu.render_pipeline("test", &RenderProgram::new(&module), &[], &onto)
     }
 

@@ -94,6 +94,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/bed.wgsl"),
     part!("water/foam.wgsl"),
     part!("water/foam_light.wgsl"),
+    part!("water/rings.wgsl"),
     part!("water/water.wgsl"),
 ]);
 
@@ -123,7 +124,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("sky/cloud_noise", &[MATHS, NOISE, part!("sky/cloud_noise.wgsl")]),
     ("sky/cloud_weather", &[MATHS, NOISE, ATMOSPHERE, CLOUD_KINDS, part!("sky/cloud_weather.wgsl")]),
     ("sky/cloud_shadow", &[AIR_TABLES, CLOUD_FIELD, part!("sky/cloud_shadow.wgsl")]),
-    ("sky/cloud_dome", &[SKY, CLOUD_MAP, CLOUD_FIELD, part!("sky/cloud_dome.wgsl")]),
+    ("sky/cloud_dome", &[SKY, CLOUD_MAP, CLOUD_FIELD, part!("sky/squalls.wgsl"), part!("sky/cloud_dome.wgsl")]),
     ("sky/environment", &[SKY, CLOUDY_SKY, part!("sky/environment.wgsl")]),
     ("sky/filter", &[part!("sky/filter.wgsl")]),
     ("sky/mirrored", &[MIRRORED_MAP, part!("sky/mirrored.wgsl")]),
@@ -133,6 +134,8 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
     ("water/light", &[WATER, LEAN, part!("water/light.wgsl")]),
     ("water/hulls", &[PICTURE, part!("water/hulls.wgsl")]),
+    ("drops/spray", &[PICTURE, SURFACE, part!("drops/spray.wgsl")]),
+    ("drops/rain", &[PICTURE, SURFACE, part!("drops/rain.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
     ("film/tone", &[SKY_COMMON, SCREEN, part!("film/tone.wgsl")]),
     ("film/present", &[SCREEN, part!("film/present.wgsl")]),

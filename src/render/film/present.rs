@@ -20,7 +20,7 @@ impl PresentPass {
         let bindings = [BindingType::Texture, BindingType::Sampler];
         let layout = gpu.bind_group_layout("present", wgpu::ShaderStages::FRAGMENT, &bindings);
         let module = shaders.module(gpu, "film/present");
-        let onto = AttachmentFormats { formats: &[target_format], depth: None };
+        let onto = AttachmentFormats { formats: &[target_format], depth: None, blend: None };
         let pipeline = gpu.render_pipeline("present", &RenderProgram::new(&module), &[&layout], &onto);
         let clamp = [wgpu::AddressMode::ClampToEdge; 2];
         let sampler = gpu.sampler("finished picture", clamp, wgpu::MipmapFilterMode::Nearest);

@@ -89,7 +89,7 @@ impl TonePass {
         let constants = [("TONE_SMOOTH", f64::from(u8::from(smooth)))];
         let module = shaders.module(gpu, "film/tone");
         let program = RenderProgram { constants: &constants, ..RenderProgram::new(&module) };
-        let onto = AttachmentFormats { formats: &[FINISHED_FORMAT], depth: None };
+        let onto = AttachmentFormats { formats: &[FINISHED_FORMAT], depth: None, blend: None };
         let pipeline = gpu.render_pipeline("tone", &program, &[&layout], &onto);
         let clamp = [wgpu::AddressMode::ClampToEdge; 2];
         let sampler = gpu.sampler("hdr", clamp, wgpu::MipmapFilterMode::Nearest);

@@ -47,7 +47,7 @@ impl BackgroundPass {
             clouds: !file && !cloud_dome && look.overcast > 0.0,
             cloud_dome,
             stars: !file && look.sun_direction()[1] < STARS_MAX_SUN_SINE,
-            fog: look.fog_extinction_per_km > 0.0,
+            fog: look.has_fog(),
         };
         let (gpu, module, format) = (gpu.clone(), self.module.clone(), group.output.format());
         let layouts = [group.layout.clone(), sky.panorama.layout.clone(), sky.clouds.layout.clone()];

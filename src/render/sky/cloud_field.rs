@@ -2,8 +2,11 @@
 
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::Scene;
+use crate::render::water::bed::normal_quantile;
 use crate::state::look::CloudKind;
 
+/// Standard deviation of the smooth noise of the clouds, whose mean is 1/2.
+const NOISE_DEVIATION: f64 = 0.16;
 /// Length of the longest path of sunlight through the layer of clouds, in thicknesses (WGSL `SHADOW_LONGEST`).
 const LONGEST_SHADOW: f64 = 12.0;
 
@@ -52,7 +55,8 @@ gpu_struct! {
         pub row_step: u32,
         /// Height of the bumps of the base, km.
         pub base_bump_km: f32,
-        pub unused: u32,
+        /// Value of the smooth noise of the clouds above which shafts of rain fall.
+        pub squall_edge: f32,
     }
 }
 
@@ -169,6 +173,12 @@ impl Kind {
     }
 }
 
+/// Value of the smooth noise of the clouds (blue in shaders/sky/cloud_noise.wgsl) above which the fraction `share` of it
+/// lies, less half the width of a shaft's edge.
+fn squall_edge(share: f64) -> f64 {
+    0.5 + NOISE_DEVIATION * -normal_quantile(share.clamp(1e-3, 1.0 - 1e-3)) - 0.05
+}
+
 /// The clouds of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clouds {
@@ -209,7 +219,7 @@ impl Clouds {
             first_row: 0,
             row_step: 1,
             base_bump_km: kind.base_bump_km as f32,
-            unused: 0,
+            squall_edge: squall_edge(look.drawn_squalls()) as f32,
         };
         Some(Self { field, eye_km })
     }

@@ -5,6 +5,7 @@ use super::table_pass::{TABLE_USAGE, TablePass, volume_texture, workgroups};
 use super::uniform::{LightBuffer, SkyUniform};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, mip_view};
+use crate::render::variants::switch_constant;
 use crate::shaders::Shaders;
 use wgpu::BindingResource::{Sampler, TextureView};
 
@@ -72,13 +73,13 @@ fn mip_passes(gpu: &Gpu, shaders: &Shaders, map: &wgpu::Texture) -> Vec<TablePas
 }
 
 impl CloudPasses {
-    /// Compiles the passes, for a dome of the given size (columns, rows).
+    /// Compiles the passes, for a dome of the given size (columns, rows) with or without shafts of rain.
     pub fn new(
         gpu: &Gpu,
         shaders: &Shaders,
         tables: &SharedTables<'_>,
         maps: &CloudMaps<'_>,
-        dome_size: [u32; 2],
+        (dome_size, has_squalls): ([u32; 2], bool),
     ) -> Self {
         let format = shaders.map_format(gpu).texture_format();
         let image = BindingType::StorageTexture(format);
@@ -95,7 +96,9 @@ impl CloudPasses {
         let noise_map = (BindingType::Texture3d, TextureView(&noise));
         let repeat = (BindingType::Sampler, Sampler(&sampler));
         let pass = |name, bindings: &[(BindingType, wgpu::BindingResource<'_>)], groups| {
-            TablePass::new(gpu, name, (&shaders.module(gpu, name), "main"), bindings, groups)
+            let constants = [switch_constant("CLOUD_SQUALLS", has_squalls)];
+            let constants = if name == "sky/cloud_dome" { &constants[..] } else { &[] };
+            TablePass::with_constants(gpu, name, (&shaders.module(gpu, name), "main"), constants, bindings, groups)
         };
         let weather_bindings = [field.clone(), (image, TextureView(&weather))];
         let shadow_bindings = [

@@ -84,6 +84,8 @@ pub struct CloudPass {
     /// Bind group of the dome, for the pass that draws the sky.
     pub group: wgpu::BindGroup,
     columns: u32,
+    /// Whether the passes were compiled with shafts of rain.
+    has_squalls: bool,
     passes: Option<CloudPasses>,
     /// The field for which the maps of weather and shadow were made, with the direction of the sun.
     maps_made_for: Option<(CloudField, [f32; 3])>,
@@ -124,6 +126,7 @@ impl CloudPass {
             dome,
             layout,
             columns: 0,
+            has_squalls: false,
             passes: None,
             maps_made_for: None,
             dome_made_for: None,
@@ -146,15 +149,16 @@ impl CloudPass {
     /// Creates the dome for a picture of `scene` that is `width` pixels wide. Returns whether there is a new texture.
     pub fn prepare(&mut self, gpu: &Gpu, scene: &Scene, width: u32, tables: &SharedTables<'_>) -> bool {
         let columns = Self::wanted_columns(width, scene.is_lean);
-        if Clouds::new(scene).is_none() || columns == self.columns {
+        let has_squalls = scene.look.sky.drawn_squalls() > 0.0;
+        if Clouds::new(scene).is_none() || (columns, has_squalls) == (self.columns, self.has_squalls) {
             return false;
         }
-        self.columns = columns;
+        (self.columns, self.has_squalls) = (columns, has_squalls);
         let format = self.shaders.map_format(gpu).texture_format();
         self.dome = array_view(&dome_texture(gpu, format, [columns, self.rows(), DOME_LAYERS]));
         self.group = gpu.bind_group("sky/cloud dome", &self.layout, &[TextureView(&self.dome)]);
         let maps = CloudMaps { field: &self.field.buffer, shadow: &self.shadow_texture, dome: &self.dome };
-        self.passes = Some(CloudPasses::new(gpu, &self.shaders, tables, &maps, [columns, self.rows()]));
+        self.passes = Some(CloudPasses::new(gpu, &self.shaders, tables, &maps, ([columns, self.rows()], has_squalls)));
         (self.maps_made_for, self.dome_made_for, self.shown, self.filling) = (None, None, None, None);
         true
     }

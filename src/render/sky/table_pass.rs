@@ -49,8 +49,20 @@ impl TablePass {
         bindings: &[(BindingType, wgpu::BindingResource<'_>)],
         workgroups: [u32; 3],
     ) -> Self {
+        Self::with_constants(gpu, label, program, &[], bindings, workgroups)
+    }
+
+    /// As [`Self::new`], with names and values of override constants.
+    pub fn with_constants(
+        gpu: &Gpu,
+        label: &'static str,
+        program: (&wgpu::ShaderModule, &str),
+        constants: &[(&str, f64)],
+        bindings: &[(BindingType, wgpu::BindingResource<'_>)],
+        workgroups: [u32; 3],
+    ) -> Self {
         let (bindings, resources): (Vec<BindingType>, Vec<_>) = bindings.iter().cloned().unzip();
-        let kernel = Kernel::new(gpu, label, program, &bindings, &[]);
+        let kernel = Kernel::new(gpu, label, program, &bindings, constants);
         let group = kernel.bind(gpu, &resources);
         Self { kernel, group, workgroups }
     }

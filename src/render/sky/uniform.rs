@@ -1,6 +1,7 @@
 //! Uniform buffer of the sky passes (WGSL `Sky`), and the light on the sea that they compute (WGSL `Light`).
 
 use crate::gpu::layout::gpu_struct;
+use crate::optics::rain;
 use crate::render::frame::horizon_dip;
 use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
@@ -9,6 +10,10 @@ use crate::state::look::{CloudKind, SkyLook};
 /// Step in which clouds move in the environment map (the sky that the sea reflects), km. It is less than a texel, and
 /// clouds take seconds to drift so far, so the map is computed again only every few seconds.
 const REFLECTED_CLOUD_STEP_KM: f64 = 0.05;
+/// Height up to which rain hides what is behind it, m, and the height over which it thins above. Rain falls from higher
+/// up, but drops scatter light by small angles, which blurs a wave far away and not a cloud.
+const RAIN_TOP_M: f64 = 150.0;
+const RAIN_SCALE_HEIGHT_M: f64 = 60.0;
 
 gpu_struct! {
     /// WGSL `Fog`: fog of constant density up to a height, with an exponential decrease above.
@@ -21,6 +26,24 @@ gpu_struct! {
         scale_height_m: f32,
         /// Height above the water up to which the fog has its full density, m.
         top_m: f32,
+    }
+}
+
+impl FogUniform {
+    /// Fog and rain. Rain alone reaches to its own height. In fog it adds its extinction up to the fog's top.
+    fn new(look: &SkyLook) -> Self {
+        let fog = 0.001 * look.fog_extinction_per_km;
+        let [start, scale_height, top] = if fog > 0.0 {
+            [look.fog_start_m, look.fog_scale_height_m, look.fog_top_m]
+        } else {
+            [0.0, RAIN_SCALE_HEIGHT_M, RAIN_TOP_M]
+        };
+        Self {
+            extinction_per_m: (fog + rain::extinction_per_m(look.rain_mm_h)) as f32,
+            start_m: start as f32,
+            scale_height_m: scale_height as f32,
+            top_m: top as f32,
+        }
     }
 }
 
@@ -132,12 +155,7 @@ impl SkyUniform {
             has_image: f32::from(u8::from(file.is_some())),
             image_sky_irradiance: file.map_or([0.0; 3], |f| scaled(f.irradiance)),
             image_gain: image_gain as f32,
-            fog: FogUniform {
-                extinction_per_m: (0.001 * look.fog_extinction_per_km) as f32,
-                start_m: look.fog_start_m as f32,
-                scale_height_m: look.fog_scale_height_m as f32,
-                top_m: look.fog_top_m as f32,
-            },
+            fog: FogUniform::new(look),
             eye_height_km: (0.001 * eye_m) as f32,
             horizon_dip: horizon_dip(eye_m) as f32,
             // A sky image contains its own clouds.

@@ -46,6 +46,8 @@ struct WaterLightVariant {
     /// Whether the sky is an image from a file.
     sky_image: bool,
     fog: bool,
+    /// Whether raindrops make rings on the water.
+    rain: bool,
     /// Whether volumetric clouds shade the sea.
     cloud_shadows: bool,
     /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
@@ -80,7 +82,8 @@ impl WaterLightVariant {
             ggx: surface.reflection.specular == MicrofacetDistribution::Ggx,
             schlick: surface.reflection.fresnel == FresnelFormula::Schlick,
             sky_image: scene.look.sky.panorama().is_some(),
-            fog: scene.look.sky.fog_extinction_per_km > 0.0,
+            fog: scene.look.sky.has_fog(),
+            rain: scene.look.sky.rain_mm_h > 0.0,
             cloud_shadows: scene.look.sky.drawn_clouds() != CloudKind::None,
             point_samples: output == OutputKind::Reference,
             is_lean: scene.is_lean && output != OutputKind::Reference,
@@ -100,6 +103,7 @@ impl WaterLightVariant {
             switch_constant("WATER_SCHLICK", self.schlick),
             switch_constant("SKY_IMAGE", self.sky_image),
             switch_constant("SKY_FOG", self.fog),
+            switch_constant("WATER_RAIN", self.rain),
             switch_constant("SKY_CLOUD_SHADOWS", self.cloud_shadows),
             switch_constant("WATER_POINT_SAMPLES", self.point_samples),
         ]
@@ -136,7 +140,7 @@ impl WaterPass {
         let mesh = DisplacePass::new(gpu, shaders, frame, &maps_layout);
         let module = shaders.module(gpu, "water/light");
         let program = RenderProgram { entry_points: ["mesh_vertex", "mesh_fragment"], ..RenderProgram::new(&module) };
-        let onto = AttachmentFormats { formats: &G_BUFFER_FORMATS, depth: Some(DEPTH_TEST_OPAQUE) };
+        let onto = AttachmentFormats { formats: &G_BUFFER_FORMATS, depth: Some(DEPTH_TEST_OPAQUE), blend: None };
         let layouts = [&scene.layout, &maps_layout, mesh.vertices_layout()];
         Self {
             g_buffer_pipeline: gpu.render_pipeline("water/mesh", &program, &layouts, &onto),

@@ -3,6 +3,7 @@
 use super::bed::normal_quantile;
 use super::noise::NOISE_SIDE;
 use crate::gpu::layout::gpu_struct;
+use crate::optics::rain;
 use crate::optics::water::WaterOptics;
 use crate::render::scene::Scene;
 use crate::state::fields::linear_rgb;
@@ -63,6 +64,13 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
 ];
 /// Time for which a glint of the sun lasts, s.
 const GLINT_MOMENT_S: f64 = 0.06;
+/// Period of the cells of both layers of rings (shaders/water/rings.wgsl), m; area of the larger cells, m^2; and how
+/// long a ring is seen, s.
+const RING_PERIOD_M: f64 = 5.46;
+const RING_CELL_M2: f64 = 0.42 * 0.42;
+const RING_S: f64 = 0.5;
+/// Diameter of the smallest drops whose rings are seen singly, mm.
+const RING_DIAMETER_MM: f64 = 1.5;
 /// Fraction of light that must remain after the way straight down to the bed and back, or else the bed is not drawn.
 const MIN_BED_TRANSMITTANCE: f64 = 1e-3;
 /// Share of reefs in what covers the bed; the rest is seagrass.
@@ -175,6 +183,17 @@ gpu_struct! {
         glint_moment: u32,
         /// Normal noise above minus this is a meadow of seagrass (x) or a reef (y) on the bed.
         bed_cover_edges: [f32; 2],
+        /// Position (x, z) of the point below the eye among the cells of rings of raindrops: its remainder, m, and the
+        /// number of whole periods of the cells.
+        ring_origin: [f32; 2],
+        ring_period: [i32; 2],
+        /// Time in lives of a ring: its whole part, and its fraction.
+        ring_moment: u32,
+        ring_moment_fraction: f32,
+        /// Fraction of the cells that have a ring, 0 to 1.
+        ring_share: f32,
+        /// Mean square slope of all rings.
+        ring_slope_variance: f32,
     }
 }
 
@@ -193,6 +212,7 @@ impl MaterialUniform {
         let wind_path_m = DVec2::from(scene.sea.downwind) * (scene.sea.wind_m_s * scene.t_s);
         let into_water = reflection.index_air / reflection.index_water;
         let contrast = into_water.powi(-2) - 1.0;
+        let (rain_mm_h, ring_time) = (scene.look.sky.rain_mm_h, scene.t_s / RING_S);
         let [sun_x, _, sun_z] = scene.look.sky.sun_direction();
         let sun_cosine = sun_x.hypot(sun_z);
         Self {
@@ -236,6 +256,13 @@ impl MaterialUniform {
             gust_strength: reflection.gusts as f32,
             glint_moment: (scene.t_s / GLINT_MOMENT_S).floor().rem_euclid(f64::from(u32::MAX)) as u32,
             bed_cover_edges: bed_cover_edges(bed.cover),
+            ring_origin: below_eye.to_array().map(|x| x.rem_euclid(RING_PERIOD_M) as f32),
+            ring_period: below_eye.to_array().map(|x| x.div_euclid(RING_PERIOD_M) as i32),
+            ring_moment: ring_time.floor().rem_euclid(f64::from(u32::MAX)) as u32,
+            ring_moment_fraction: ring_time.rem_euclid(1.0) as f32,
+            ring_share: (-rain::impacts_per_m2_s(rain_mm_h, RING_DIAMETER_MM) * RING_S * RING_CELL_M2).exp_m1().abs()
+                as f32,
+            ring_slope_variance: rain::ring_slope_variance(rain_mm_h) as f32,
         }
     }
 }

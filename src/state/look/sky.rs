@@ -80,6 +80,12 @@ parameters! {
         fog_scale_height_m: f64 = 30.0 => ("fogfalloff", "Fog falls off", "m", logarithmic(1.0, 2000.0)),
         /// Height of the fog's top above the still water; below it the fog has its full density.
         fog_top_m: f64 = 20.0 => ("fogheight", "Fog top", "m", number(0.0, 2000.0)),
+        /// Rain on the sea and in the air above it: 1 is light, 10 heavy, 50 a cloudburst. It hides what is far away and
+        /// roughens the water, but makes no clouds: `clouds=storm` or `overcast=1` suit it.
+        rain_mm_h: f64 = 0.0 => ("rain", "Rain", "mm/h", number(0.0, 100.0), "none"),
+        /// Fraction of the area below clouds in which shafts of rain fall, seen at a distance; for clouds other than
+        /// cirrus.
+        squalls: f64 = 0.0 => ("squalls", "Squalls", "", number(0.0, 1.0), "none"),
         /// Sky image from a file, which replaces the computed sky; `None` for the computed sky.
         file: Option<SkyFile> = None,
         /// Heading to which the middle column of a sky image points, clockwise from north.
@@ -93,6 +99,16 @@ impl SkyLook {
     /// Decoded sky image; `None` if these parameters name no sky file, or its image is not loaded.
     pub fn panorama(&self) -> Option<&Arc<Panorama>> {
         self.file.as_ref()?.image.as_ref()
+    }
+
+    /// Whether there is fog or rain in the air, which hide what is far away.
+    pub fn has_fog(&self) -> bool {
+        self.fog_extinction_per_km > 0.0 || self.rain_mm_h > 0.0
+    }
+
+    /// Fraction of the area below the clouds in which shafts of rain are drawn.
+    pub fn drawn_squalls(&self) -> f64 {
+        if matches!(self.drawn_clouds(), CloudKind::None | CloudKind::Cirrus) { 0.0 } else { self.squalls }
     }
 
     /// Kind of the volumetric clouds that are drawn: none with a sky image, which has its own clouds.

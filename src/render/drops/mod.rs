@@ -1,0 +1,110 @@
+//! Drops in the air: spray of breaking crests (shaders/drops/spray.wgsl) and rain (shaders/drops/rain.wgsl). Each is
+//! one draw of small quads over the finished light. Drops follow from their numbers, the time and the maps of that time,
+//! so a still depends on its state alone, and nothing is stored between frames.
+
+pub mod rain;
+pub mod spray;
+
+use super::scene::Scene;
+use super::targets::{DEPTH_TEST_BACKGROUND, OutputKind, Targets, attachments};
+use super::water::light::WaterPass;
+use crate::gpu::Gpu;
+use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
+use crate::gpu::uniform::Uniform;
+use crate::shaders::Shaders;
+use rain::RainUniform;
+use spray::SprayUniform;
+
+/// Drops hide what is behind them by their opacity. The alpha of the picture, from which the tone pass finds edges,
+/// stays that of what is behind.
+const BLEND: wgpu::BlendState = wgpu::BlendState {
+    color: wgpu::BlendComponent::OVER,
+    alpha: wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::Zero,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Add,
+    },
+};
+
+/// One draw of quads, one for each drop or cloud of drops.
+struct DropPass<T> {
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+    uniform: Uniform<T>,
+    /// Depth texture that the bind group holds, and the group.
+    group: Option<(wgpu::TextureView, wgpu::BindGroup)>,
+    /// Number of quads in the next frame.
+    quads: u32,
+}
+
+impl<T: bytemuck::Pod> DropPass<T> {
+    fn new(gpu: &Gpu, shaders: &Shaders, module: &str, water: &WaterPass) -> Self {
+        let bindings = [BindingType::Uniform(size_of::<T>()), BindingType::DepthTexture];
+        let layout = gpu.bind_group_layout(module, wgpu::ShaderStages::VERTEX_FRAGMENT, &bindings);
+        let text = shaders.module(gpu, module);
+        let format = water.scene.output.format();
+        let onto = AttachmentFormats { blend: Some(BLEND), ..attachments(&format, DEPTH_TEST_BACKGROUND) };
+        let layouts = [&water.scene.layout, water.maps_layout(), &layout];
+        let pipeline = gpu.render_pipeline(module, &RenderProgram::new(&text), &layouts, &onto);
+        Self { pipeline, layout, uniform: Uniform::new(gpu, module), group: None, quads: 0 }
+    }
+
+    fn set(&mut self, gpu: &Gpu, targets: &Targets, value: &T, quads: u32) {
+        self.uniform.write(gpu, value);
+        self.quads = quads;
+        if self.group.as_ref().is_none_or(|(depth, _)| *depth != targets.depth) {
+            let depth = wgpu::BindingResource::TextureView(&targets.depth);
+            let group = gpu.bind_group("drops", &self.layout, &[self.uniform.buffer.as_entire_binding(), depth]);
+            self.group = Some((targets.depth.clone(), group));
+        }
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, water: &WaterPass) {
+        let (Some((_, group)), Some(maps)) = (&self.group, water.maps_group()) else { return };
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &water.scene.group, &[]);
+        pass.set_bind_group(1, maps, &[]);
+        pass.set_bind_group(2, group, &[]);
+        pass.draw(0..6, 0..self.quads);
+    }
+}
+
+/// The draws of spray and rain, each compiled for the first picture that needs it.
+pub struct DropPasses {
+    shaders: Shaders,
+    spray: Option<DropPass<SprayUniform>>,
+    rain: Option<DropPass<RainUniform>>,
+}
+
+impl DropPasses {
+    /// Creates no resources yet.
+    pub fn new(shaders: &Shaders) -> Self {
+        Self { shaders: shaders.clone(), spray: None, rain: None }
+    }
+
+    /// Sets the drops of `scene` for the next frame. A reference picture has none: its samples cannot be blended.
+    pub fn prepare(&mut self, gpu: &Gpu, water: &WaterPass, targets: &Targets, scene: &Scene) {
+        let is_reference = water.scene.output == OutputKind::Reference;
+        self.spray.iter_mut().for_each(|pass| pass.quads = 0);
+        self.rain.iter_mut().for_each(|pass| pass.quads = 0);
+        if let Some(value) = SprayUniform::new(scene).filter(|_| !is_reference) {
+            let make = || DropPass::new(gpu, &self.shaders, "drops/spray", water);
+            self.spray.get_or_insert_with(make).set(gpu, targets, &value, spray::QUADS);
+        }
+        if let Some(value) = RainUniform::new(scene).filter(|_| !is_reference) {
+            let make = || DropPass::new(gpu, &self.shaders, "drops/rain", water);
+            self.rain.get_or_insert_with(make).set(gpu, targets, &value, value.quads());
+        }
+    }
+
+    /// Whether the next frame has any drops.
+    pub fn are_needed(&self) -> bool {
+        self.spray.as_ref().is_some_and(|pass| pass.quads > 0) || self.rain.as_ref().is_some_and(|pass| pass.quads > 0)
+    }
+
+    /// Draws the drops in a pass that does not write depth.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, water: &WaterPass) {
+        self.spray.iter().filter(|spray| spray.quads > 0).for_each(|spray| spray.draw(pass, water));
+        self.rain.iter().filter(|rain| rain.quads > 0).for_each(|rain| rain.draw(pass, water));
+    }
+}
