@@ -158,7 +158,10 @@ gpu_struct! {
         /// Factors with which the slope of the bound waves follows from all waves at a point: on the height, and on the
         /// drawn horizontal displacement along x and z, 1/m.
         pub bound_slope_factors: [f32; 3],
-        unused: u32,
+        unused_0: u32,
+        /// Height of the water surface above a diving eye, m, and its slope along x and z; written by the eye pass.
+        pub water_at_eye: [f32; 3],
+        unused_1: u32,
         /// Polar lattice of the water mesh: positions of its vertices before displacement.
         pub mesh_lattice: MeshLattice,
         /// Cascades of all drawn seas, then their ripple layers (shrunk copies of cascades); the rest is unused.
@@ -282,7 +285,9 @@ impl FrameUniform {
             bound_elevation_gain: bound.elevation_gain as f32,
             bound_level_m: bound.cascades.iter().map(|c| c.level_m).sum::<f64>() as f32,
             bound_slope_factors: bound_slope_factors(bound.mean, sea.choppiness),
-            unused: 0,
+            unused_0: 0,
+            water_at_eye: [(-view.eye.y) as f32, 0.0, 0.0],
+            unused_1: 0,
             mesh_lattice: mesh.lattice,
             cascades: padded_array(cascades.chain(ripples)),
             foam_levels: padded_array(levels),

@@ -48,6 +48,7 @@ use water::light::WaterPass;
 use water::material::NoiseLayer;
 use water::mesh::{Mesh, MeshLattice};
 use water::noise::NoiseTexture;
+use water::under::UnderPass;
 
 /// Structs that Rust and the renderer's shaders share; their WGSL declarations are made from these.
 pub const SHARED_STRUCTS: &[StructDeclaration] = &[
@@ -97,6 +98,7 @@ pub struct Renderer {
     noise: NoiseTexture,
     eye: EyePass,
     water: WaterPass,
+    under: UnderPass,
     background: BackgroundPass,
     hulls: HullPass,
     tone: TonePass,
@@ -135,6 +137,7 @@ impl Renderer {
             noise,
             eye,
             water,
+            under: UnderPass::default(),
             background,
             hulls,
             tone,
@@ -194,10 +197,12 @@ impl Renderer {
             self.bed.fill_once(gpu);
         }
         self.water.select_pipeline(gpu, scene);
+        self.under.prepare(gpu, scene, &self.water);
         self.background.select_pipeline(gpu, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(gpu, maps);
         if let Some(targets) = &self.targets {
             self.water.bind_targets(gpu, targets);
+            self.under.bind_targets(gpu, targets);
         }
         self.water.mesh.set_mesh(gpu, mesh);
         let below_eye = [scene.view.eye.x, scene.view.eye.z];
@@ -223,14 +228,23 @@ impl Renderer {
         let timer = &self.timer;
         self.eye.run(encoder, timer, scene, &self.water);
         self.sky.record_outdated_tables(gpu, encoder, timer, scene);
-        self.water.record_g_buffer(encoder, timer, targets);
+        self.record_water_mesh(encoder, timer, targets);
         let mut pass = targets.begin_light(encoder, timer);
-        self.background.draw(&mut pass, &self.water.scene, &self.sky);
-        self.water.draw_light(&mut pass);
+        if !scene.is_submerged() {
+            self.background.draw(&mut pass, &self.water.scene, &self.sky);
+            self.water.draw_light(&mut pass);
+        }
+        self.under.draw_light(&mut pass, &self.water);
         drop(pass);
         if self.hulls.is_needed() {
             self.hulls.draw(&mut targets.begin_hulls(encoder, timer), &self.water.scene);
         }
+    }
+
+    /// Records the drawing of the water mesh into the G-buffer and, if the eye dives, of the map of light shafts.
+    fn record_water_mesh(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, targets: &Targets) {
+        self.under.record_shafts(encoder, timer, &self.water);
+        self.water.record_g_buffer(encoder, timer, targets, self.under.g_buffer_pipeline());
     }
 
     /// Records one part of the last picture again, alone, even if its results are up to date, to measure its GPU time.
@@ -241,10 +255,12 @@ impl Renderer {
             TimedPart::Background => {
                 self.background.draw(&mut targets.begin_alone(encoder, None), &self.water.scene, &self.sky);
             }
-            TimedPart::Mesh => self.water.record_g_buffer(encoder, timer, targets),
+            TimedPart::Mesh => self.record_water_mesh(encoder, timer, targets),
             TimedPart::Water => {
-                self.water.record_g_buffer(encoder, timer, targets);
-                self.water.draw_light(&mut targets.begin_light(encoder, timer));
+                self.record_water_mesh(encoder, timer, targets);
+                let mut pass = targets.begin_light(encoder, timer);
+                self.water.draw_light(&mut pass);
+                self.under.draw_light(&mut pass, &self.water);
             }
             TimedPart::Tone => self.tone.record(encoder, timer),
         }

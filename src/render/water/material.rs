@@ -175,6 +175,9 @@ gpu_struct! {
         glint_moment: u32,
         /// Normal noise above minus this is a meadow of seagrass (x) or a reef (y) on the bed.
         bed_cover_edges: [f32; 2],
+        /// Diffuse attenuation coefficient Kd of downwelling light, RGB, 1/m.
+        diffuse_attenuation: [f32; 3],
+        unused: u32,
     }
 }
 
@@ -236,6 +239,8 @@ impl MaterialUniform {
             gust_strength: reflection.gusts as f32,
             glint_moment: (scene.t_s / GLINT_MOMENT_S).floor().rem_euclid(f64::from(u32::MAX)) as u32,
             bed_cover_edges: bed_cover_edges(bed.cover),
+            diffuse_attenuation: single(water.diffuse_attenuation),
+            unused: 0,
         }
     }
 }
@@ -253,7 +258,7 @@ fn bed_cover_edges(cover: f64) -> [f32; 2] {
 }
 
 /// Absorption and scattering of the water that the settings `scattering` select: a water type, or water of a colour.
-fn water_optics(scattering: &Scattering) -> WaterOptics {
+pub fn water_optics(scattering: &Scattering) -> WaterOptics {
     let water = WaterOptics::blend_with_next_type(scattering.water_type, scattering.water_type_blend);
     if scattering.scatter_colour > 0.0 {
         water.with_reflectance_colour(linear_rgb(scattering.scatter_colour))
@@ -262,8 +267,10 @@ fn water_optics(scattering: &Scattering) -> WaterOptics {
     }
 }
 
-/// Whether the sea bed is drawn: more than `MIN_BED_TRANSMITTANCE` of some colour's light returns from it.
+/// Whether the sea bed is drawn: more than `MIN_BED_TRANSMITTANCE` of some colour's light returns from it to the surface,
+/// or to a diving eye.
 pub fn is_bed_visible(scene: &Scene) -> bool {
-    let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
+    let depth_m = scene.sea.depth_m + 0.5 * scene.view.eye.y.min(0.0);
+    let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(depth_m);
     back.into_iter().any(|share| share > MIN_BED_TRANSMITTANCE)
 }

@@ -8,3 +8,4 @@ pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod noise;
+pub mod under;
