@@ -116,7 +116,12 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   // If a neighbouring pixel shows another wave or the sky, the difference is not a change of slope within this pixel.
   let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth);
   let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth);
-  let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
+  var bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
+  if WATER_DIVES {
+    // Between vertices, the rim of a crest right before the lens may be turned away from the eye.
+    let facing = dot(bent.mean, place.xz) - place.y - 0.02 * length(place);
+    bent.mean -= place.xz * (min(facing, 0.0) / max(dot(place.xz, place.xz), 1e-6));
+  }
   return water_radiance(point, foot, bent, gust, vec2u(pixel));
 }
 

@@ -53,22 +53,19 @@ fn under_begins(pixel: vec2i, ray: vec3f) -> bool {
     return false;
   }
   let size = vec2i(textureDimensions(depth_map));
-  let down = i32(ceil(UNDER_MENISCUS * f32(size.y)));
+  let down = i32(ceil(0.5 * UNDER_MENISCUS * f32(size.y)));
   let below = vec2i(pixel.x, min(pixel.y + down, size.y - 1));
   return under_begins_alone(below, ray - frame.up * (2.0 * f32(below.y - pixel.y) / f32(size.y)));
 }
 
-// Share of the pixels around one whose rays begin in the air, 0 to 1.
-fn under_air_around(pixel: vec2i, ray: vec3f) -> f32 {
-  let size = vec2i(textureDimensions(depth_map));
-  let reach = UNDER_MENISCUS * f32(size.y);
-  let per_pixel = vec2f(2.0, -2.0) / vec2f(size);
+// Share of the pixels above one, up to the width of the meniscus, whose rays begin in the air, 0 to 1.
+fn under_air_above(pixel: vec2i, ray: vec3f) -> f32 {
+  let rows = f32(textureDimensions(depth_map).y);
   var air = 0.0;
   for (var i = 0; i < UNDER_TAPS; i++) {
-    let turn = 2.0 * ATM_PI * f32(i) / f32(UNDER_TAPS);
-    let at = clamp(pixel + vec2i(round(reach * vec2f(cos(turn), sin(turn)))), vec2i(0), size - 1);
-    let off = vec2f(at - pixel) * per_pixel;
-    air += select(1.0, 0.0, under_begins(at, ray + frame.right * off.x + frame.up * off.y));
+    let up = round(UNDER_MENISCUS * rows * (f32(i) + 1.0) / f32(UNDER_TAPS));
+    let at = vec2i(pixel.x, max(pixel.y - i32(up), 0));
+    air += select(1.0, 0.0, under_begins(at, ray + frame.up * (2.0 * f32(pixel.y - at.y) / rows)));
   }
   return air / f32(UNDER_TAPS);
 }
@@ -148,7 +145,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   radiance = radiance * medium_transmittance(length_m) + medium_radiance(dir, depth_m, length_m, gain);
   // The water that clings to the lens bends the rays at its rim down into the dark.
   if abs(under_estimate_m(in.ray)) < UNDER_SURE_M {
-    radiance *= 1.0 - 0.85 * maths_smooth(2.2 * under_air_around(pixel, in.ray));
+    radiance *= 1.0 - 0.85 * maths_smooth(1.4 * under_air_above(pixel, in.ray));
   }
   return frame_hdr_output(radiance, 1.0 / length_m);
 }

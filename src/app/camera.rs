@@ -68,8 +68,7 @@ pub fn apply_keys_to_camera(camera: &mut Camera, ctx: &egui::Context) {
         return;
     }
     let (dt, hurry) = ctx.input(|i| (f64::from(i.stable_dt).min(0.1), i.modifiers.shift));
-    let speed =
-        if camera.dive_m > 0.0 { DIVE_SPEED_M_S } else { MIN_SPEED_M_S + SPEED_PER_HEIGHT * camera.y_m };
+    let speed = if camera.dive_m > 0.0 { DIVE_SPEED_M_S } else { MIN_SPEED_M_S + SPEED_PER_HEIGHT * camera.y_m };
     let step = dt * speed * if hurry { SHIFT_SPEED_FACTOR } else { 1.0 };
     fly(camera, aside * step, ahead * step, rise * step);
     ctx.request_repaint();

@@ -397,9 +397,5 @@ impl Ocean {
 /// height 0. A diving camera stays above the bed.
 fn relative_to_still_water(camera: &Camera, sea: &SeaAppearance) -> Camera {
     let deepest_m = (sea.depth_m - MIN_EYE_ABOVE_BED_M).max(0.1);
-    Camera {
-        y_m: camera.y_m - sea.still_water_level_m,
-        dive_m: camera.dive_m.min(deepest_m),
-        ..camera.clone()
-    }
+    Camera { y_m: camera.y_m - sea.still_water_level_m, dive_m: camera.dive_m.min(deepest_m), ..camera.clone() }
 }

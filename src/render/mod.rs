@@ -205,8 +205,7 @@ impl Renderer {
             self.under.bind_targets(gpu, targets);
         }
         self.water.mesh.set_mesh(gpu, mesh);
-        let below_eye = [scene.view.eye.x, scene.view.eye.z];
-        self.hulls.upload_hulls(gpu, &self.water.scene, &scene.hulls, below_eye, scene.sea.still_water_level_m);
+        self.hulls.upload_hulls(gpu, &self.water.scene, scene);
     }
 
     /// Records the passes that draw the false-colour view selected in `scene.look`, in place of the picture.

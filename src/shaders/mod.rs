@@ -138,7 +138,17 @@ const MODULES: &[(&str, &[SourcePart])] = &[
         "water/under",
         &[WATER, LEAN, part!("water/light.wgsl"), UNDER, part!("water/shafts.wgsl"), part!("water/under.wgsl")],
     ),
-    ("water/hulls", &[PICTURE, part!("water/hulls.wgsl")]),
+    (
+        "water/hulls",
+        &[
+            MATHS,
+            PICTURE,
+            part!("water/fresnel.wgsl"),
+            part!("water/body.wgsl"),
+            part!("water/medium.wgsl"),
+            part!("water/hulls.wgsl"),
+        ],
+    ),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
     ("film/tone", &[SKY_COMMON, SCREEN, part!("film/tone.wgsl")]),
     ("film/present", &[SCREEN, part!("film/present.wgsl")]),

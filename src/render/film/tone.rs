@@ -146,7 +146,8 @@ impl TonePass {
         let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
         let uniform = ToneUniform {
             size: size.map(|s| s as f32),
-            exposure_gain: (film.exposure_ev.exp2() * if film.auto_exposure { camera_factor(scene) } else { 1.0 }) as f32,
+            exposure_gain: (film.exposure_ev.exp2() * if film.auto_exposure { camera_factor(scene) } else { 1.0 })
+                as f32,
             fixed_exposure: if film.auto_exposure { 0.0 } else { fixed },
             curve: film.tone as u32,
             bloom_fraction: film.bloom as f32,
