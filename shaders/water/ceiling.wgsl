@@ -8,7 +8,7 @@ const CEILING_NODE_STEP = 0.8;
 // turn refracted rays by about a third of their angle, mirrored ones by twice.
 const CEILING_DISC_WIDENING = 17.0;
 // Fraction of the daylight above a layer of foam that comes out below.
-const CEILING_FOAM_TRANSMITTANCE = 0.3;
+const CEILING_FOAM_TRANSMITTANCE = 0.4;
 
 // What a facet of the surface shows below.
 struct CeilingFacet {
@@ -95,8 +95,10 @@ fn ceiling_radiance(dir: vec3f, slope: WaterSlope, below: vec3f) -> vec3f {
   return sum / weights + ceiling_sun(dir, slope);
 }
 
-// Radiance of foam seen from below: daylight that comes through it, and the light of the water that it sends back.
-fn ceiling_foam_radiance(below: vec3f) -> vec3f {
+// Radiance of foam seen from below: daylight that comes through it, most where it is thin, and the light of the water
+// that it sends back. `grain` is the height of its relief, around 0.5.
+fn ceiling_foam_radiance(below: vec3f, grain: f32) -> vec3f {
   let above = cloud_sun_irradiance() * max(frame.sun_direction.y, 0.0) + light.sky_irradiance;
-  return (CEILING_FOAM_TRANSMITTANCE / ATM_PI) * material.foam_colour * above + FOAM_ALBEDO * below;
+  let through = CEILING_FOAM_TRANSMITTANCE * max(1.5 - grain, 0.0);
+  return (through / ATM_PI) * material.foam_colour * above + FOAM_ALBEDO * below;
 }

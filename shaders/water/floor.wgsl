@@ -31,7 +31,7 @@ fn floor_radiance(hit: FloorHit, dir: vec3f) -> vec3f {
   let texel = sqrt(part * max(part, across));
   let ground = bed_ground(hit.place, ahead * (0.354 * along), texel, hit.banks);
   let beam = medium_beam();
-  let beam_down = max(-beam.y, 0.3);
+  let beam_down = -beam.y;
   var sun = medium_sun_irradiance();
   if frame.sun_direction.y > 0.0 {
     let entry = hit.place - beam.xz * (hit.column_m / beam_down);

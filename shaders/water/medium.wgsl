@@ -23,7 +23,8 @@ fn medium_extinction() -> vec3f {
 
 // Direction in which sunlight travels below a level surface.
 fn medium_beam() -> vec3f {
-  return water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0));
+  let level = -material.inverse_relative_index * frame.sun_direction.xz;
+  return vec3f(level.x, -max(material.refracted_sun_sine, 0.3), level.y);
 }
 
 // Irradiance of a level plane just below the surface by the sun.
@@ -45,40 +46,50 @@ fn medium_transmittance(length_m: f32) -> vec3f {
 
 // Integral of exp(-rate t) over t from 0 to `length_m`.
 fn medium_integral(rate: vec3f, length_m: f32) -> vec3f {
-  let x = rate * length_m;
-  let series = length_m * (1.0 - 0.5 * x);
-  let safe = select(rate, vec3f(1.0), abs(x) < vec3f(0.01));
-  return select((1.0 - exp(-clamp(x, vec3f(-30.0), vec3f(80.0)))) / safe, series, abs(x) < vec3f(0.01));
+  let safe = select(rate, vec3f(1e-4), abs(rate) < vec3f(1e-4));
+  return (1.0 - exp(clamp(-safe * length_m, vec3f(-80.0), vec3f(30.0)))) / safe;
+}
+
+// How fast the light that the water sends to the eye falls along a ray, 1/m: diffuse daylight and the sun's beam, which
+// grow or fall with the depth along the ray.
+fn medium_rates(dir: vec3f) -> array<vec3f, 2> {
+  let c = medium_extinction();
+  return array<vec3f, 2>(c - material.diffuse_attenuation * dir.y, c * (1.0 + dir.y / medium_beam().y));
 }
 
 // Radiance that the water scatters into a ray of the length `length_m` from an eye at the depth `depth_m`. `gain`:
 // what waves make of the sun's beam along the ray, relative to its mean.
 fn medium_radiance(dir: vec3f, depth_m: f32, length_m: f32, gain: f32) -> vec3f {
+  let rates = medium_rates(dir);
+  return medium_scattered(dir, depth_m, gain, medium_integral(rates[0], length_m), medium_integral(rates[1], length_m));
+}
+
+// As medium_radiance, with the lengths of the ray, m, each weighted by what reaches the eye of diffuse daylight and of the
+// sun's beam.
+fn medium_scattered(dir: vec3f, depth_m: f32, gain: f32, diffuse_m: vec3f, beam_m: vec3f) -> vec3f {
   let c = medium_extinction();
   let kd = material.diffuse_attenuation;
   let wide = medium_wide_scattering();
   let beam = medium_beam();
-  let beam_down = max(-beam.y, 0.3);
-  let beam_rate = c / beam_down;
-  let all = medium_downwelling(0.0);
+  let beam_down = -beam.y;
   let sun = medium_sun_irradiance();
+  let all = sun + WATER_SKYLIGHT_TRANSMITTANCE * light.sky_irradiance;
   // Light of all orders that comes back evenly, so that the water seen straight down has the brightness that it has from
   // above (water_deep_radiance); Q = 4 sr.
   let even = 0.25 * material.deep_reflectance * (c + kd) * all;
   let level = max(1.0 + MEDIUM_DOWNWARD * dir.y, 0.05) / (4.0 * ATM_PI);
-  // Along the ray the daylight grows or falls with depth by exp(+-rate dir.y t).
-  let diffuse = (even + wide * level * all) * exp(-kd * depth_m) * medium_integral(c - kd * dir.y, length_m);
+  let diffuse = (even + wide * level * all) * exp(-kd * depth_m) * diffuse_m;
   let turned = dot(beam, -dir);
   let phase = mix(
     atm_henyey_greenstein(turned, MEDIUM_MEAN_COSINE), atm_henyey_greenstein(turned, MEDIUM_GLOW_COSINE),
     MEDIUM_GLOW_SHARE);
-  let direct = wide * sun * (phase * gain / beam_down - level)
-    * exp(-beam_rate * depth_m) * medium_integral(c - beam_rate * dir.y, length_m);
+  let direct = wide * sun * (phase * gain / beam_down - level) * exp(-c * (depth_m / beam_down)) * beam_m;
   return max(diffuse + direct, vec3f(0.0));
 }
 
 // Radiance of bottomless water along a ray that goes down from the surface.
 fn medium_deep_radiance(dir: vec3f) -> vec3f {
   let down = vec3f(dir.x, min(dir.y, -0.03), dir.z);
-  return medium_radiance(down, 0.0, 1e4, 1.0);
+  let rates = medium_rates(down);
+  return medium_scattered(down, 0.0, 1.0, 1.0 / rates[0], 1.0 / rates[1]);
 }

@@ -90,7 +90,7 @@ fn under_surface(dir: vec3f, place: vec3f, at: vec2f, foot: WaterFootprint, slop
     let foam = foam_level(at, foot);
     if foam.cover >= FOAM_MIN_AMOUNT {
       let look = foam_appearance(at, foot, foam);
-      radiance = mix(radiance, ceiling_foam_radiance(below), look.cover);
+      radiance = mix(radiance, ceiling_foam_radiance(below, look.grain), look.cover);
     }
   }
   return radiance;

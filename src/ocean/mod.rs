@@ -31,8 +31,6 @@ pub use interpolated::DrawnSea;
 
 /// Least height of the eye above the still water, m. If waves are higher, a GPU pass raises the eye further above them.
 const MIN_EYE_HEIGHT_M: f64 = 0.5;
-/// Least height of a diving eye above the mean level of the bed, m.
-const MIN_EYE_ABOVE_BED_M: f64 = 0.4;
 
 /// A simulated sea on a GPU device, with the renderer that draws it.
 ///
@@ -394,8 +392,8 @@ impl Ocean {
 }
 
 /// A copy of the camera whose height counts from the still water of `sea`, because the renderer draws still water at
-/// height 0. A diving camera stays above the bed.
+/// height 0. A diving camera stays 0.4 m above the mean level of the bed.
 fn relative_to_still_water(camera: &Camera, sea: &SeaAppearance) -> Camera {
-    let deepest_m = (sea.depth_m - MIN_EYE_ABOVE_BED_M).max(0.1);
+    let deepest_m = (sea.depth_m - 0.4).max(0.1);
     Camera { y_m: camera.y_m - sea.still_water_level_m, dive_m: camera.dive_m.min(deepest_m), ..camera.clone() }
 }

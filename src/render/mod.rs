@@ -137,7 +137,7 @@ impl Renderer {
             noise,
             eye,
             water,
-            under: UnderPass::default(),
+            under: UnderPass::new(shaders),
             background,
             hulls,
             tone,

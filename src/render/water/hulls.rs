@@ -3,7 +3,6 @@
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, RenderProgram};
 use crate::gpu::layout::gpu_struct;
-use crate::point::floating::HullPose;
 use crate::render::scene::Scene;
 use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{DEPTH_TEST_OPAQUE, attachments};

@@ -8,7 +8,6 @@ use super::material::water_optics;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
 use crate::gpu::timer::Timer;
-use crate::render::SHARED_STRUCTS;
 use crate::render::scene::Scene;
 use crate::render::targets::{
     DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, G_BUFFER_FORMATS, HDR_FORMAT, Targets, attachments, begin_pass,
@@ -27,9 +26,9 @@ const NARROW_SCATTERING: f64 = 0.5;
 /// Weights of red, green and blue in the luminance.
 const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
 
-/// Draws what a diving eye sees. Nothing is compiled or allocated before an eye dives.
-#[derive(Default)]
+/// Draws what a diving eye sees. Nothing is compiled or allocated on the GPU before an eye dives.
 pub struct UnderPass {
+    shaders: Shaders,
     made: Option<Made>,
     /// Whether the eye of the current frame dives.
     dives: bool,
@@ -48,8 +47,8 @@ struct Made {
 }
 
 impl Made {
-    fn new(gpu: &Gpu, water: &WaterPass) -> Self {
-        let module = Shaders::default().with_structs(SHARED_STRUCTS).module(gpu, "water/under");
+    fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass) -> Self {
+        let module = shaders.module(gpu, "water/under");
         let [scene, maps, vertices] = water.mesh_layouts();
         let program = |entry_points| RenderProgram { entry_points, ..RenderProgram::new(&module) };
         let g_buffer = AttachmentFormats { formats: &G_BUFFER_FORMATS, depth: Some(DEPTH_TEST_OPAQUE) };
@@ -82,13 +81,18 @@ impl Made {
 }
 
 impl UnderPass {
+    /// Keeps the shaders until an eye dives.
+    pub fn new(shaders: Shaders) -> Self {
+        Self { shaders, made: None, dives: false }
+    }
+
     /// Selects the pipelines for the frame of `scene`, and compiles them at first use.
     pub fn prepare(&mut self, gpu: &Gpu, scene: &Scene, water: &WaterPass) {
         self.dives = scene.dives();
         if !self.dives {
             return;
         }
-        let made = self.made.get_or_insert_with(|| Made::new(gpu, water));
+        let made = self.made.get_or_insert_with(|| Made::new(gpu, &self.shaders, water));
         let parts = WaterLightVariant::new(scene, water.scene.output);
         let (gpu, module, format) = (gpu.clone(), made.module.clone(), water.scene.output.format());
         let layouts = [&water.scene.layout, water.maps_layout(), &made.layout].map(Clone::clone);
