@@ -154,9 +154,10 @@ pub fn zoom(camera: &mut Camera, factor: f64) {
 /// height above the water it dives, and it comes up again at that height.
 pub fn fly(camera: &mut Camera, right_m: f64, ahead_m: f64, up_m: f64) {
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
-    let step = DVec3::new(ahead_m * sin + right_m * cos, up_m, right_m * sin - ahead_m * cos);
+    let mut step = DVec3::new(ahead_m * sin + right_m * cos, up_m, right_m * sin - ahead_m * cos);
     if camera.dive_m > 0.0 || (up_m < 0.0 && camera.y_m <= MIN_EYE_HEIGHT_M) {
         camera.dive_m = (camera.dive_m - up_m).clamp(0.0, MAX_DIVE_M);
+        step.y = 0.0;
     }
     set_position(camera, DVec3::new(camera.x_m, camera.y_m, camera.z_m) + step);
 }
@@ -207,6 +208,21 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn keys_dive_and_come_up_again() {
+        let mut camera = Camera { y_m: 1.5, ..Camera::default() };
+        fly(&mut camera, 0.0, 0.0, -2.0);
+        assert_eq!((camera.y_m, camera.dive_m), (MIN_EYE_HEIGHT_M, 0.0), "first to the least height");
+        fly(&mut camera, 0.0, 0.0, -2.0);
+        assert_eq!(camera.dive_m, 2.0);
+        fly(&mut camera, 0.0, 0.0, -1e3);
+        assert_eq!(camera.dive_m, MAX_DIVE_M);
+        rotate_camera(&mut camera, 0.0, 200.0);
+        assert_eq!(camera.pitch_deg, 89.0, "straight up");
+        fly(&mut camera, 0.0, 0.0, 1e3);
+        assert_eq!((camera.y_m, camera.dive_m), (MIN_EYE_HEIGHT_M, 0.0));
     }
 
     #[test]
