@@ -23,7 +23,7 @@ use std::sync::{LazyLock, Mutex};
 const SEAS: [&str; 3] = ["n=256", "n=512", "n=1024"];
 /// Pictures that together need the renderer's pipelines: one for each part that shaders have or lack, except for a sky
 /// from a file, which no state string holds.
-const PICTURES: [&str; 23] = [
+const PICTURES: [&str; 26] = [
     "",
     "detail=lean",
     "foam=0",
@@ -47,6 +47,9 @@ const PICTURES: [&str; 23] = [
     "view=normals",
     "bloom=0.1",
     "afloat=buoy*12.5*-30",
+    "dive=5",
+    "dive=2&depth=5&clouds=cumulus",
+    "dive=0.1&afloat=buoy*12.5*-30",
 ];
 
 #[derive(Default)]

@@ -46,8 +46,7 @@ fn answer(question: Question) -> Answer {
     case 3u: { answer = ask_slope(a.xy, a.z); }
     case 4u: { answer = vec4f(water_displacement(a.xy, a.z, false).displacement, 0.0); }
     case 7u: {
-      material.caustic_filter_m = a.z;
-      answer.x = bed_caustic_gain(a.xy, b.x);
+      answer.x = bed_caustic_gain(a.xy, b.x, a.z);
     }
     case 8u: { answer = vec4f(bed_ground(a.xy, vec2f(0.0), a.z, bed_banks(a.xy, a.z)).albedo, 0.0); }
     case 9u: {

@@ -120,9 +120,10 @@ fn bed_focusing_slope(at: vec2f, foot: WaterFootprint) -> vec2f {
 
 // Irradiance by the sun at a point of the bed, relative to its mean. A ray that enters the water at s meets the bed at
 // s + reach grad(eta)(s), with the elevation eta and its Hessian H. So light is focused by 1 / |det(I + reach H)|.
-fn bed_caustic_gain(entry: vec2f, depth_m: f32) -> f32 {
+// Waves shorter than 2 `filter_m` metres are left out.
+fn bed_caustic_gain(entry: vec2f, depth_m: f32, filter_m: f32) -> f32 {
   let reach = depth_m * (1.0 - material.inverse_relative_index);
-  let foot = water_round_footprint(material.caustic_filter_m);
+  let foot = water_round_footprint(filter_m);
   // Two fixed-point steps find where the ray that arrives at the given point enters the water. Loops, because compilers
   // copy a called function to each call.
   var at = entry;
@@ -130,7 +131,7 @@ fn bed_caustic_gain(entry: vec2f, depth_m: f32) -> f32 {
     at = entry - reach * bed_focusing_slope(at, foot);
   }
   // The Hessian from differences over two steps along x and along z: the step turns by a quarter in each round.
-  let h = 0.5 * material.caustic_filter_m;
+  let h = 0.5 * filter_m;
   var side = vec2f(h, 0.0);
   var x = vec2f(0.0);
   var z = vec2f(0.0);
@@ -189,7 +190,7 @@ fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: 
     let resolved = 1.0 - smoothstep(0.8, 3.0, texel / material.caustic_filter_m);
     let sharp = material.caustic_strength * straight * resolved;
     if sharp > 0.01 {
-      sun *= mix(1.0, bed_caustic_gain(entry, column), sharp);
+      sun *= mix(1.0, bed_caustic_gain(entry, column, material.caustic_filter_m), sharp);
     }
   }
   // Sides of the ripples that face the sun are brighter.

@@ -1,5 +1,5 @@
-// Keeps the eye above the water: one workgroup samples the waves around the eye and raises it above them, in the frame
-// uniform that later passes read. The result depends only on the maps, so a still depends only on the state.
+// Keeps an eye that does not dive above the water: one workgroup samples the waves around the eye and raises it above
+// them, in the frame uniform that later passes read. For an eye that dives, it measures the surface there. The result depends only on the maps, so a still depends only on the state.
 
 @group(0) @binding(0) var<storage, read_write> frame: Frame;
 
@@ -12,6 +12,8 @@ const EYE_CLEARANCE_SLOPE = 0.7;
 const EYE_SOFTENING_M = 0.25;
 // Number of map samples by the first thread: its own point, 12 steps towards the water below the eye, the height there.
 const EYE_FIRST_THREAD_SAMPLES = 14;
+// Distance of two more samples beside the eye, from which the slope of the surface at a diving eye follows, m.
+const EYE_BESIDE_M = 0.1;
 
 var<workgroup> eye_required_height_m: array<f32, EYE_SAMPLES>;
 
@@ -25,18 +27,37 @@ fn main(@builtin(local_invocation_index) i: u32) {
   // below the eye. All samples share one loop, because the long function is copied into each call.
   var moved = vec3f(0.0);
   var under = vec3f(0.0);
+  var east = vec3f(0.0);
+  var south = vec3f(0.0);
+  // Waves do not lift an eye below the still water.
+  let dives = frame.eye_height_m < 0.0;
   var foot = vec2f(0.0);
-  let looks = select(1, EYE_FIRST_THREAD_SAMPLES, i == 0u);
+  let looks = select(1, EYE_FIRST_THREAD_SAMPLES + select(0, 2, dives), i == 0u);
   for (var look = 0; look < looks; look++) {
     var width = select(1.0, 0.5, look == EYE_FIRST_THREAD_SAMPLES - 1);
     if look == 0 {
       width = reach / sqrt(f32(EYE_SAMPLES));
+    } else if dives {
+      width = 0.5 * EYE_BESIDE_M;
     }
-    under = water_displacement(select(foot, at, look == 0), width, false).displacement;
+    var place = foot;
     if look == 0 {
-      moved = under;
-    } else if look < EYE_FIRST_THREAD_SAMPLES - 1 {
-      foot += 0.7 * (-under.xz - foot);
+      place = at;
+    } else if look >= EYE_FIRST_THREAD_SAMPLES {
+      place += select(vec2f(0.0, EYE_BESIDE_M), vec2f(EYE_BESIDE_M, 0.0), look == EYE_FIRST_THREAD_SAMPLES);
+    }
+    let there = water_displacement(place, width, false).displacement;
+    if look == 0 {
+      moved = there;
+    } else if look < EYE_FIRST_THREAD_SAMPLES {
+      under = there;
+      if look < EYE_FIRST_THREAD_SAMPLES - 1 {
+        foot += 0.7 * (-under.xz - foot);
+      }
+    } else if look == EYE_FIRST_THREAD_SAMPLES {
+      east = there;
+    } else {
+      south = there;
     }
   }
   eye_required_height_m[i] = moved.y + EYE_CLEARANCE_M - EYE_CLEARANCE_SLOPE * length(at + moved.xz);
@@ -50,9 +71,15 @@ fn main(@builtin(local_invocation_index) i: u32) {
   if i == 0u {
     // If the camera rides on a buoy, the eye's height counts from the water below it.
     frame.eye_height_m += frame.height_from_waves * under.y;
-    let over = (eye_required_height_m[0] - frame.eye_height_m) / EYE_SOFTENING_M;
-    let rise = select(log(1.0 + exp(over)), over, over > 20.0);
-    frame.eye_height_m += EYE_SOFTENING_M * rise;
+    if dives {
+      let n = cross(south - under + vec3f(0.0, 0.0, EYE_BESIDE_M), east - under + vec3f(EYE_BESIDE_M, 0.0, 0.0));
+      let slope = -n.xz / max(n.y, 0.2 * EYE_BESIDE_M * EYE_BESIDE_M);
+      frame.water_at_eye = vec3f(under.y - frame.eye_height_m, slope);
+    } else {
+      let over = (eye_required_height_m[0] - frame.eye_height_m) / EYE_SOFTENING_M;
+      let rise = select(log(1.0 + exp(over)), over, over > 20.0);
+      frame.eye_height_m += EYE_SOFTENING_M * rise;
+    }
     frame.undisplaced_below_eye = foot;
     frame.horizon_dip = sqrt(2.0 * max(frame.eye_height_m, 0.1) / FRAME_EARTH_RADIUS_M);
   }

@@ -210,3 +210,8 @@ fn water_quadrature_node(q: WaterQuadrature, at: f32) -> WaterQuadratureNode {
   node.side_variance = q.side_variance;
   return node;
 }
+
+// Fresnel reflectance of a facet with the slope `slope`, towards the direction `dir`.
+fn water_facet_fresnel(dir: vec3f, slope: vec2f) -> f32 {
+  return water_fresnel(dot(dir, water_normal(material.fresnel_slope_factor * slope)));
+}

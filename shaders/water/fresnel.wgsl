@@ -36,8 +36,3 @@ fn water_fresnel(cosine: f32) -> f32 {
   }
   return saturate(material.fresnel_scale * water_dielectric(cosine, material.index_contrast));
 }
-
-// Fresnel reflectance of a facet with the slope `slope`, towards the direction `dir`.
-fn water_facet_fresnel(dir: vec3f, slope: vec2f) -> f32 {
-  return water_fresnel(dot(dir, water_normal(material.fresnel_slope_factor * slope)));
-}

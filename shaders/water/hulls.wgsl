@@ -1,7 +1,11 @@
 // Buoys, boats and yachts: painted hulls and sails in the light of sun, sky and sea. Their triangles come from
 // src/render/water/hulls.rs.
 
+@group(0) @binding(9) var<uniform> material: Material;
 @group(1) @binding(0) var<storage, read> hull_vertices: array<HullVertex>;
+
+// Whether the eye dives, so that it may see hulls through water.
+override HULL_DIVES: bool = false;
 
 // Fraction of the light, RGB, that the sea reflects up to a hull.
 const HULL_SEA_REFLECTANCE = vec3f(0.03, 0.05, 0.06);
@@ -25,6 +29,21 @@ fn vertex(@builtin(vertex_index) i: u32) -> HullFragment {
   return HullFragment(frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, colour);
 }
 
+// Whether the ray to a point relative to the eye leaves the lens under water.
+fn hull_seen_from_below(place: vec3f) -> bool {
+  let lens = place * (frame.clip_from_relative[3].z / dot(place, frame.forward));
+  return frame.water_at_eye.x + dot(frame.water_at_eye.yz, lens.xz) > lens.y;
+}
+
+// Radiance of a hull that is seen through `distance_m` metres of water.
+fn hull_radiance_below(in: HullFragment, n: vec3f, dir: vec3f, distance_m: f32) -> vec3f {
+  let eye_m = max(frame.water_at_eye.x, 0.02);
+  let daylight = medium_downwelling(max(eye_m - in.position.y, 0.0));
+  // Light comes from all sides, most of it from above.
+  let surface = in.colour.rgb * daylight * ((0.55 + 0.45 * n.y) / ATM_PI);
+  return surface * medium_transmittance(distance_m) + medium_radiance(dir, eye_m, distance_m, 1.0);
+}
+
 @fragment
 fn fragment(in: HullFragment) -> @location(0) vec4f {
   let distance_m = length(in.position);
@@ -32,6 +51,11 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let through = in.colour.a;
   // The eye sees both sides of a sail.
   let n = normalize(in.normal) * select(1.0, -1.0, through > 0.0 && dot(in.normal, dir) > 0.0);
+  if HULL_DIVES {
+    if hull_seen_from_below(in.position) {
+      return frame_hdr_output(hull_radiance_below(in, n, dir, distance_m), 1.0 / distance_m);
+    }
+  }
   let up = 0.5 + 0.5 * n.y;
   var sunlight = light.sun_irradiance;
   if clouds.height_km > 0.0 {

@@ -30,13 +30,17 @@ struct GBuffer {
   @location(2) shear_and_side: vec2f,
 }
 
-@fragment
-fn mesh_fragment(in: MeshFragment) -> GBuffer {
+fn mesh_g_buffer(in: MeshFragment) -> GBuffer {
   let at = in.undisplaced_and_shear.xy;
   let dx = dpdx(at);
   let dy = dpdy(at);
   let side_m = min(sqrt(max(dot(dx, dx), dot(dy, dy))), 6e4);
   return GBuffer(at, in.slope_and_stretch, vec2f(in.undisplaced_and_shear.z, side_m));
+}
+
+@fragment
+fn mesh_fragment(in: MeshFragment) -> GBuffer {
+  return mesh_g_buffer(in);
 }
 
 @group(2) @binding(0) var depth_map: texture_depth_2d;
@@ -80,12 +84,18 @@ fn water_position(ray: vec3f, pixel: vec2i) -> vec3f {
   return ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
 }
 
+// Whether the eye dives: the G-buffer then has a negative side where it shows the water from below (under.wgsl).
+override WATER_DIVES: bool = false;
+
 @fragment
 fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
   let place = water_position(in.ray, pixel);
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
-  let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
+  var shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
+  if WATER_DIVES {
+    shear_and_side.y = abs(shear_and_side.y);
+  }
   // Fine derivatives, because coarse ones may come from the other row of a quad of pixels, which may show the sky.
   let x = water_pixel_side(dpdxFine(at), shear_and_side.y);
   let y = water_pixel_side(dpdyFine(at), shear_and_side.y);
@@ -107,7 +117,12 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   // If a neighbouring pixel shows another wave or the sky, the difference is not a change of slope within this pixel.
   let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth);
   let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth);
-  let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
+  var bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
+  if WATER_DIVES {
+    // Between vertices, the rim of a crest right before the lens may be turned away from the eye.
+    let facing = dot(bent.mean, place.xz) - place.y - 0.02 * length(place);
+    bent.mean -= place.xz * (min(facing, 0.0) / max(dot(place.xz, place.xz), 1e-6));
+  }
   return water_radiance(point, foot, bent, gust, vec2u(pixel));
 }
 
@@ -119,5 +134,8 @@ fn lean_fragment(in: LightFragment) -> @location(0) vec4f {
   let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
   let mesh = textureLoad(slope_and_stretch_map, pixel, 0);
   let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
+  if WATER_DIVES {
+    return lean_radiance(WaterPoint(place, at, water_height_m(place)), abs(shear_and_side.y), carried);
+  }
   return lean_radiance(WaterPoint(place, at, water_height_m(place)), shear_and_side.y, carried);
 }

@@ -8,6 +8,8 @@ use egui::Key;
 
 /// Speed at which keys fly the camera at height y = 0, m/s. The speed grows with the height: see [`SPEED_PER_HEIGHT`].
 const MIN_SPEED_M_S: f64 = 6.0;
+/// Speed at which keys move the camera under water, m/s.
+const DIVE_SPEED_M_S: f64 = 2.0;
 /// Increase of the camera's flight speed with its height, (m/s) per m.
 const SPEED_PER_HEIGHT: f64 = 0.8;
 /// Factor by which the camera flies faster while Shift is held.
@@ -66,7 +68,8 @@ pub fn apply_keys_to_camera(camera: &mut Camera, ctx: &egui::Context) {
         return;
     }
     let (dt, hurry) = ctx.input(|i| (f64::from(i.stable_dt).min(0.1), i.modifiers.shift));
-    let step = dt * (MIN_SPEED_M_S + SPEED_PER_HEIGHT * camera.y_m) * if hurry { SHIFT_SPEED_FACTOR } else { 1.0 };
+    let speed = if camera.dive_m > 0.0 { DIVE_SPEED_M_S } else { MIN_SPEED_M_S + SPEED_PER_HEIGHT * camera.y_m };
+    let step = dt * speed * if hurry { SHIFT_SPEED_FACTOR } else { 1.0 };
     fly(camera, aside * step, ahead * step, rise * step);
     ctx.request_repaint();
 }

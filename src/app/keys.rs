@@ -8,7 +8,7 @@ pub const KEYBOARD_HELP: &[(&str, &str)] = &[
     ("drag", "look around; in orbit, turn around the sea in the middle"),
     ("wheel, pinch", "zoom; in orbit, come closer"),
     ("W A S D, arrows", "fly over the water; with Shift faster"),
-    ("Q, E", "sink and rise"),
+    ("Q, E", "sink and rise; from the least height, dive and come up again"),
     ("C", "camera: fly, orbit, ride on the water"),
     ("Space", "stop and start the time"),
     (". and ,", "one frame forward and back, standing still"),

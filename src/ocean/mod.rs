@@ -344,7 +344,7 @@ impl Ocean {
             ..self.appearance.cross_faded_value(share)
         };
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
-        let camera = relative_to_still_water(&self.params.camera, sea.still_water_level_m);
+        let camera = relative_to_still_water(&self.params.camera, &sea);
         Scene {
             view: View::new(&camera, aspect, MIN_EYE_HEIGHT_M),
             look: self.params.look.clone(),
@@ -391,8 +391,9 @@ impl Ocean {
     }
 }
 
-/// A copy of the camera whose height counts from the still water, which lies at the world height `level_m`, m, because
-/// the renderer draws still water at height 0.
-fn relative_to_still_water(camera: &Camera, level_m: f64) -> Camera {
-    Camera { y_m: camera.y_m - level_m, ..camera.clone() }
+/// A copy of the camera whose height counts from the still water of `sea`, because the renderer draws still water at
+/// height 0. A diving camera stays 0.4 m above the mean level of the bed.
+fn relative_to_still_water(camera: &Camera, sea: &SeaAppearance) -> Camera {
+    let deepest_m = (sea.depth_m - 0.4).max(0.1);
+    Camera { y_m: camera.y_m - sea.still_water_level_m, dive_m: camera.dive_m.min(deepest_m), ..camera.clone() }
 }

@@ -65,7 +65,7 @@ impl MapSizes {
 pub fn planned_vertex_count(params: &Params, plan: &Plan, size: [u32; 2]) -> u32 {
     let sea = SeaAppearance::new(plan, &params.look);
     let [width, height] = size.map(f64::from);
-    let camera = relative_to_still_water(&params.camera, sea.still_water_level_m);
+    let camera = relative_to_still_water(&params.camera, &sea);
     planned_mesh_vertices(&View::new(&camera, width / height, MIN_EYE_HEIGHT_M), &sea, &params.look, size)
 }
 

@@ -88,6 +88,8 @@ pub struct WaterOptics {
     pub scattering: [f64; 3],
     /// Backscattering coefficient bb of red, green and blue light, 1/m.
     pub backscatter: [f64; 3],
+    /// Diffuse attenuation coefficient Kd of downwelling red, green and blue light, 1/m.
+    pub diffuse_attenuation: [f64; 3],
 }
 
 impl WaterOptics {
@@ -104,7 +106,12 @@ impl WaterOptics {
         let log = chlorophyll.log10();
         let particles_550 = 0.416 * chlorophyll.powf(0.766);
         let slope = if chlorophyll < 2.0 { 0.5 * (log - 0.3) } else { 0.0 };
-        let mut out = Self { absorption: [0.0; 3], scattering: [0.0; 3], backscatter: [0.0; 3] };
+        let mut out = Self {
+            absorption: [0.0; 3],
+            scattering: [0.0; 3],
+            backscatter: [0.0; 3],
+            diffuse_attenuation: PRIMARY_WAVELENGTHS_NM.map(kd),
+        };
         for (i, nm) in PRIMARY_WAVELENGTHS_NM.into_iter().enumerate() {
             let sea_water = 0.00288 * (nm / 500.0).powf(-4.32);
             let share = 0.002 + 0.01 * (0.5 - 0.25 * log) * (nm / 550.0).powf(slope);
@@ -126,6 +133,7 @@ impl WaterOptics {
             absorption: mix(a.absorption, b.absorption),
             scattering: mix(a.scattering, b.scattering),
             backscatter: mix(a.backscatter, b.backscatter),
+            diffuse_attenuation: mix(a.diffuse_attenuation, b.diffuse_attenuation),
         }
     }
 
@@ -137,7 +145,9 @@ impl WaterOptics {
             let r = (0.1 * colour[i]).max(2e-4);
             0.33 * self.backscatter[i] * (1.0 - r) / r
         });
-        Self { absorption, ..self }
+        let diffuse_attenuation =
+            std::array::from_fn(|i| (absorption[i] + self.backscatter[i]) / DOWNWELLING_MEAN_COSINE);
+        Self { absorption, diffuse_attenuation, ..self }
     }
 
     /// Irradiance reflectance (upward over downward light, 0 to 1) of deep water just below its surface, in red, green

@@ -163,7 +163,8 @@ gpu_struct! {
         pub bound_slope_factors: [f32; 3],
         /// Unit vector (x, z) in which breaking crests travel, the wind's direction, as two 16-bit signed fractions.
         pub breaker_direction: u32,
-        unused: [f32; 3],
+        /// Height of the water surface above a diving eye, m, and its slope along x and z; written by the eye pass.
+        pub water_at_eye: [f32; 3],
         /// Mean extinction coefficient of sea spray on a straight path from the eye down to the sea, 1/km. It is not
         /// in the tables of the sky, whose light near the horizon comes from far beyond it.
         pub spray_extinction_per_km: f32,
@@ -291,7 +292,7 @@ impl FrameUniform {
             bound_level_m: bound.cascades.iter().map(|c| c.level_m).sum::<f64>() as f32,
             bound_slope_factors: bound_slope_factors(bound.mean, sea.choppiness),
             breaker_direction: packed_direction(sea.downwind),
-            unused: [0.0; 3],
+            water_at_eye: [(-view.eye.y) as f32, 0.0, 0.0],
             spray_extinction_per_km: (look.sky.haze
                 * spray_extinction_per_km(sea.wind_m_s)
                 * mean_density_below(view.eye.y, SPRAY_SCALE_HEIGHT_M)) as f32,

@@ -52,6 +52,7 @@ use water::light::WaterPass;
 use water::material::NoiseLayer;
 use water::mesh::{Mesh, MeshLattice};
 use water::noise::NoiseTexture;
+use water::under::UnderPass;
 
 /// Structs that Rust and the renderer's shaders share; their WGSL declarations are made from these.
 pub const SHARED_STRUCTS: &[StructDeclaration] = &[
@@ -104,6 +105,7 @@ pub struct Renderer {
     noise: NoiseTexture,
     eye: EyePass,
     water: WaterPass,
+    under: UnderPass,
     background: BackgroundPass,
     hulls: HullPass,
     drops: DropPasses,
@@ -144,6 +146,7 @@ impl Renderer {
             noise,
             eye,
             water,
+            under: UnderPass::new(shaders),
             background,
             hulls,
             drops,
@@ -204,15 +207,16 @@ impl Renderer {
             self.bed.fill_once(gpu);
         }
         self.water.select_pipeline(gpu, scene);
+        self.under.prepare(gpu, scene, &self.water);
         self.background.select_pipeline(gpu, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(gpu, maps);
         if let Some(targets) = &self.targets {
             self.water.bind_targets(gpu, targets);
+            self.under.bind_targets(gpu, targets);
             self.drops.prepare(gpu, &self.water, targets, scene);
         }
         self.water.mesh.set_mesh(gpu, mesh);
-        let below_eye = [scene.view.eye.x, scene.view.eye.z];
-        self.hulls.upload_hulls(gpu, &self.water.scene, &scene.hulls, below_eye, scene.sea.still_water_level_m);
+        self.hulls.upload_hulls(gpu, &self.water.scene, scene);
     }
 
     /// Records the passes that draw the false-colour view selected in `scene.look`, in place of the picture.
@@ -234,10 +238,13 @@ impl Renderer {
         let timer = &self.timer;
         self.eye.run(encoder, timer, scene, &self.water);
         self.sky.record_outdated_tables(gpu, encoder, timer, scene);
-        self.water.record_g_buffer(encoder, timer, targets);
+        self.record_water_mesh(encoder, timer, targets);
         let mut pass = targets.begin_light(encoder, timer);
-        self.background.draw(&mut pass, &self.water.scene, &self.sky);
-        self.water.draw_light(&mut pass);
+        if !scene.is_submerged() {
+            self.background.draw(&mut pass, &self.water.scene, &self.sky);
+            self.water.draw_light(&mut pass);
+        }
+        self.under.draw_light(&mut pass, &self.water);
         if !self.hulls.is_needed() {
             self.drops.draw(&mut pass, &self.water);
             return;
@@ -250,6 +257,12 @@ impl Renderer {
         }
     }
 
+    /// Records the drawing of the water mesh into the G-buffer and, if the eye dives, of the map of light shafts.
+    fn record_water_mesh(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, targets: &Targets) {
+        self.under.record_shafts(encoder, timer, &self.water);
+        self.water.record_g_buffer(encoder, timer, targets, self.under.g_buffer_pipeline());
+    }
+
     /// Records one part of the last picture again, alone, even if its results are up to date, to measure its GPU time.
     pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
         let (Some(targets), timer) = (&self.targets, &Timer::default()) else { return };
@@ -258,10 +271,12 @@ impl Renderer {
             TimedPart::Background => {
                 self.background.draw(&mut targets.begin_alone(encoder, None), &self.water.scene, &self.sky);
             }
-            TimedPart::Mesh => self.water.record_g_buffer(encoder, timer, targets),
+            TimedPart::Mesh => self.record_water_mesh(encoder, timer, targets),
             TimedPart::Water => {
-                self.water.record_g_buffer(encoder, timer, targets);
-                self.water.draw_light(&mut targets.begin_light(encoder, timer));
+                self.record_water_mesh(encoder, timer, targets);
+                let mut pass = targets.begin_light(encoder, timer);
+                self.water.draw_light(&mut pass);
+                self.under.draw_light(&mut pass, &self.water);
             }
             TimedPart::Tone => self.tone.record(encoder, timer),
         }

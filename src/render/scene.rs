@@ -45,6 +45,20 @@ pub struct Scene {
     pub is_lean: bool,
 }
 
+impl Scene {
+    /// Whether the eye is below the still water, or on a buoy below the moving water. Waves do not lift it then, and
+    /// parts of the picture may show air.
+    pub fn dives(&self) -> bool {
+        self.view.eye.y < 0.0
+    }
+
+    /// Whether the eye is so deep that no wave trough reaches it and all of the picture lies under water.
+    pub fn is_submerged(&self) -> bool {
+        let trough_m = if self.height_from_waves { 0.0 } else { 1.5 * self.sea.hs_m };
+        self.view.eye.y < -(0.6 + trough_m)
+    }
+}
+
 /// Properties of a sea that the renderer needs besides the maps, derived from its [`Plan`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeaAppearance {

@@ -95,7 +95,7 @@ impl Targets {
         ]
         .map(|(view, clear)| Some(cleared_attachment(view, clear)));
         let depth = self.depth_attachment(wgpu::LoadOp::Clear(0.0), true);
-        begin_pass(encoder, ("mesh", timer.render_pass("mesh")), &attachments, depth)
+        begin_pass(encoder, ("mesh", timer.render_pass("mesh")), &attachments, Some(depth))
     }
 
     /// Begins the render pass that draws sky and water into `hdr`, cleared to black, after [`Self::begin_mesh`]. It
@@ -103,14 +103,14 @@ impl Targets {
     pub fn begin_light<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, timer: &Timer) -> wgpu::RenderPass<'a> {
         let depth = wgpu::RenderPassDepthStencilAttachment { view: &self.depth, depth_ops: None, stencil_ops: None };
         let light = cleared_attachment(&self.hdr, wgpu::Color::BLACK);
-        begin_pass(encoder, ("light", timer.render_pass("light")), &[Some(light)], depth)
+        begin_pass(encoder, ("light", timer.render_pass("light")), &[Some(light)], Some(depth))
     }
 
     /// Begins the render pass that draws drops over everything else. It cannot write depth, so that shaders can read it.
     pub fn begin_drops<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, timer: &Timer) -> wgpu::RenderPass<'a> {
         let depth = wgpu::RenderPassDepthStencilAttachment { view: &self.depth, depth_ops: None, stencil_ops: None };
         let light = colour_attachment(&self.hdr, wgpu::LoadOp::Load);
-        begin_pass(encoder, ("drops", timer.render_pass("drops")), &[Some(light)], depth)
+        begin_pass(encoder, ("drops", timer.render_pass("drops")), &[Some(light)], Some(depth))
     }
 
     /// Begins the render pass that draws floating objects over the light and depth of sky and water. `needs_depth` tells
@@ -123,7 +123,7 @@ impl Targets {
     ) -> wgpu::RenderPass<'a> {
         let light = colour_attachment(&self.hdr, wgpu::LoadOp::Load);
         let depth = self.depth_attachment(wgpu::LoadOp::Load, self.keeps_depth || needs_depth);
-        begin_pass(encoder, ("hulls", timer.render_pass("hulls")), &[Some(light)], depth)
+        begin_pass(encoder, ("hulls", timer.render_pass("hulls")), &[Some(light)], Some(depth))
     }
 
     /// Begins a render pass that draws into `hdr` without a mesh drawn before; clears it to black, and the depth to
@@ -135,7 +135,7 @@ impl Targets {
     ) -> wgpu::RenderPass<'a> {
         let depth = self.depth_attachment(wgpu::LoadOp::Clear(0.0), self.keeps_depth);
         let light = cleared_attachment(&self.hdr, wgpu::Color::BLACK);
-        begin_pass(encoder, ("picture", timestamps), &[Some(light)], depth)
+        begin_pass(encoder, ("picture", timestamps), &[Some(light)], Some(depth))
     }
 
     fn depth_attachment(&self, load: wgpu::LoadOp<f32>, keep: bool) -> wgpu::RenderPassDepthStencilAttachment<'_> {
@@ -160,16 +160,16 @@ fn colour_attachment(view: &wgpu::TextureView, load: wgpu::LoadOp<wgpu::Color>) 
 }
 
 /// Begins a render pass with the given attachments. `label` is its name in debuggers; it writes `timestamps`, if given.
-fn begin_pass<'a>(
+pub fn begin_pass<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     (label, timestamps): (&str, Option<wgpu::RenderPassTimestampWrites<'_>>),
     colours: &[Option<wgpu::RenderPassColorAttachment<'_>>],
-    depth: wgpu::RenderPassDepthStencilAttachment<'_>,
+    depth: Option<wgpu::RenderPassDepthStencilAttachment<'_>>,
 ) -> wgpu::RenderPass<'a> {
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some(label),
         color_attachments: colours,
-        depth_stencil_attachment: Some(depth),
+        depth_stencil_attachment: depth,
         timestamp_writes: timestamps,
         ..Default::default()
     })

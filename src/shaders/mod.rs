@@ -101,6 +101,10 @@ const WATER: SourcePart = SourcePart::Group(&[
 /// WGSL functions for the water's light in the lean tier.
 const LEAN: SourcePart = SourcePart::Group(&[part!("water/lean_slope.wgsl"), part!("water/lean.wgsl")]);
 
+/// WGSL functions for light in the water, and for the surface and the bed as they are seen from below.
+const UNDER: SourcePart =
+    SourcePart::Group(&[part!("water/medium.wgsl"), part!("water/ceiling.wgsl"), part!("water/floor.wgsl")]);
+
 /// WGSL type of a map texel in a storage buffer, with half floats; `MAP_TEXEL_FLOAT` is the type with 32-bit floats.
 const MAP_TEXEL_HALF: &str = include_str!("../../shaders/waves/map_texel_half.wgsl");
 const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.wgsl");
@@ -133,7 +137,21 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),
     ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
     ("water/light", &[WATER, LEAN, part!("water/light.wgsl")]),
-    ("water/hulls", &[PICTURE, part!("water/hulls.wgsl")]),
+    (
+        "water/under",
+        &[WATER, LEAN, part!("water/light.wgsl"), UNDER, part!("water/shafts.wgsl"), part!("water/under.wgsl")],
+    ),
+    (
+        "water/hulls",
+        &[
+            MATHS,
+            PICTURE,
+            part!("water/fresnel.wgsl"),
+            part!("water/body.wgsl"),
+            part!("water/medium.wgsl"),
+            part!("water/hulls.wgsl"),
+        ],
+    ),
     ("drops/spray", &[PICTURE, SURFACE, part!("drops/spray.wgsl")]),
     ("drops/rain", &[PICTURE, SURFACE, part!("drops/rain.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),

@@ -26,14 +26,15 @@ pub struct View {
 
 impl View {
     /// Makes the view of a camera for a picture with `aspect` = width / height. An eye whose height y is below
-    /// `min_eye_height_m`, m, is raised to it.
+    /// `min_eye_height_m`, m, is raised to it, unless it dives.
     pub fn new(camera: &Camera, aspect: f64, min_eye_height_m: f64) -> Self {
         let (heading, pitch) = (camera.heading_deg.to_radians(), camera.pitch_deg.to_radians());
         let forward = DVec3::new(heading.sin() * pitch.cos(), pitch.sin(), -heading.cos() * pitch.cos());
         let right = DVec3::new(heading.cos(), 0.0, heading.sin());
         let tan_y = (0.5 * camera.fov_deg.to_radians()).tan();
+        let y_m = if camera.dive_m > 0.0 { -camera.dive_m } else { camera.y_m.max(min_eye_height_m) };
         Self {
-            eye: DVec3::new(camera.x_m, camera.y_m.max(min_eye_height_m), camera.z_m),
+            eye: DVec3::new(camera.x_m, y_m, camera.z_m),
             right,
             up: right.cross(forward),
             forward,

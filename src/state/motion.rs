@@ -7,6 +7,8 @@ use glam::DVec3;
 
 /// Smallest height above the still water, m, to which input can move the camera.
 const MIN_EYE_HEIGHT_M: f64 = 1.0;
+/// Largest depth below the water, m, to which input can move the camera.
+const MAX_DIVE_M: f64 = 60.0;
 /// Largest height above the still water, m, to which input can move the camera.
 const MAX_EYE_HEIGHT_M: f64 = 5000.0;
 /// Largest distance from the camera to the point that it orbits: this many times its height above the still water, plus
@@ -90,10 +92,11 @@ pub fn set_named_view(params: &mut Params, view: &NamedView) {
 }
 
 /// Turns the camera at its place: its viewing direction to the right and upwards (negative: downwards) by the given
-/// angles, degrees. The pitch stays within -89 to 60.
+/// angles, degrees. The pitch stays within -89 to 60, and under water to 89.
 pub fn rotate_camera(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
-    camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, 60.0);
+    let highest_deg = if camera.dive_m > 0.0 { 89.0 } else { 60.0 };
+    camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, highest_deg);
 }
 
 /// Distance, m, along the viewing direction from the camera to the point that it orbits: to the still water, but at
@@ -114,8 +117,12 @@ fn eye_and_forward(camera: &Camera) -> (DVec3, DVec3) {
 }
 
 /// Moves the camera at constant distance around the point of the sea in the middle of the picture, by angles in
-/// degrees: `right_deg` is added to its heading; `up_deg` raises it and tilts it down, but not into the water.
+/// degrees: `right_deg` is added to its heading; `up_deg` raises it and tilts it down, but not into the water. Under
+/// water it turns at its place.
 pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
+    if camera.dive_m > 0.0 {
+        return rotate_camera(camera, right_deg, -up_deg);
+    }
     let distance = pivot_distance_m(camera);
     let (eye, before) = eye_and_forward(camera);
     let pivot = eye + distance * before;
@@ -130,7 +137,7 @@ pub fn orbit(camera: &mut Camera, right_deg: f64, up_deg: f64) {
 /// Multiplies the vertical field of view by `factor`, or in orbit mode the distance to the point that the camera
 /// orbits, within the allowed ranges; a factor below 1 zooms in.
 pub fn zoom(camera: &mut Camera, factor: f64) {
-    if camera.mode != CameraMode::Orbit {
+    if camera.mode != CameraMode::Orbit || camera.dive_m > 0.0 {
         camera.fov_deg = (camera.fov_deg * factor).clamp(10.0, 100.0);
         return;
     }
@@ -143,10 +150,15 @@ pub fn zoom(camera: &mut Camera, factor: f64) {
     set_position(camera, eye + (distance - wanted) * ahead);
 }
 
-/// Moves the camera by distances in metres: to its right, ahead (horizontally, whatever its pitch) and up.
+/// Moves the camera by distances in metres: to its right, ahead (horizontally, whatever its pitch) and up. From the least
+/// height above the water it dives, and it comes up again at that height.
 pub fn fly(camera: &mut Camera, right_m: f64, ahead_m: f64, up_m: f64) {
     let (sin, cos) = camera.heading_deg.to_radians().sin_cos();
-    let step = DVec3::new(ahead_m * sin + right_m * cos, up_m, right_m * sin - ahead_m * cos);
+    let mut step = DVec3::new(ahead_m * sin + right_m * cos, up_m, right_m * sin - ahead_m * cos);
+    if camera.dive_m > 0.0 || (up_m < 0.0 && camera.y_m <= MIN_EYE_HEIGHT_M) {
+        camera.dive_m = (camera.dive_m - up_m).clamp(0.0, MAX_DIVE_M);
+        step.y = 0.0;
+    }
     set_position(camera, DVec3::new(camera.x_m, camera.y_m, camera.z_m) + step);
 }
 
@@ -196,6 +208,21 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn keys_dive_and_come_up_again() {
+        let mut camera = Camera { y_m: 1.5, ..Camera::default() };
+        fly(&mut camera, 0.0, 0.0, -2.0);
+        assert_eq!((camera.y_m, camera.dive_m), (MIN_EYE_HEIGHT_M, 0.0), "first to the least height");
+        fly(&mut camera, 0.0, 0.0, -2.0);
+        assert_eq!(camera.dive_m, 2.0);
+        fly(&mut camera, 0.0, 0.0, -1e3);
+        assert_eq!(camera.dive_m, MAX_DIVE_M);
+        rotate_camera(&mut camera, 0.0, 200.0);
+        assert_eq!(camera.pitch_deg, 89.0, "straight up");
+        fly(&mut camera, 0.0, 0.0, 1e3);
+        assert_eq!((camera.y_m, camera.dive_m), (MIN_EYE_HEIGHT_M, 0.0));
     }
 
     #[test]

@@ -85,14 +85,18 @@ parameters! {
     pub struct Camera {
         /// Distance of the camera east of the world origin.
         x_m: f64 = 0.0 => ("x", "East", "m", number(-1e6, 1e6)),
-        /// Height of the camera above the still water. Waves that reach the camera lift it, so it is never under water.
+        /// Height of the camera above the still water. Waves that reach the camera lift it; only a depth (dive) takes it
+        /// under water.
         y_m: f64 = 7.0 => ("y", "Height", "m", logarithmic(1.0, 5000.0)),
+        /// Depth of the camera below the still water, in buoy mode below the moving water. It replaces the height, and
+        /// waves do not lift the camera: near 0, the surface crosses the lens.
+        dive_m: f64 = 0.0 => ("dive", "Depth under water", "m", number(0.0, 60.0), "off"),
         /// Distance of the camera south of the world origin.
         z_m: f64 = 0.0 => ("z", "South", "m", number(-1e6, 1e6)),
         /// Compass heading of the viewing direction, clockwise from north.
         heading_deg: f64 = 40.0 => ("heading", "Heading", "deg", Heading),
         /// Angle of the viewing direction above (+) or below (-) the horizontal.
-        pitch_deg: f64 = -4.0 => ("pitch", "Pitch", "deg", number(-89.0, 60.0)),
+        pitch_deg: f64 = -4.0 => ("pitch", "Pitch", "deg", number(-89.0, 89.0)),
         /// Vertical field of view; it does not depend on the shape of the window.
         fov_deg: f64 = 50.0 => ("fov", "Field of view", "deg", number(10.0, 100.0)),
         /// Control mode. fly: dragging turns the view, the keys move the camera; orbit: dragging moves the camera

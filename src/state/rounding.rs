@@ -12,8 +12,8 @@ pub fn camera_pose(params: &Params) -> CameraAndPausedTime {
     (params.camera.clone(), params.clock.paused.then_some(params.clock.t_s))
 }
 
-/// Copy of the parameters for a link, rounded: camera (m, degrees) and running time (s) to one decimal, a paused time
-/// to three decimals. All other parameters are unchanged.
+/// Copy of the parameters for a link, rounded: camera (m, degrees) and running time (s) to one decimal, a depth to two, a
+/// paused time to three decimals. All other parameters are unchanged.
 pub fn with_rounded_pose(params: &Params) -> Params {
     let mut p = params.clone();
     // The quotient of two whole numbers is the f64 nearest to the decimal fraction, so its text is short.
@@ -24,5 +24,7 @@ pub fn with_rounded_pose(params: &Params) -> Params {
     for value in [&mut c.x_m, &mut c.y_m, &mut c.z_m, &mut c.heading_deg, &mut c.pitch_deg, &mut c.fov_deg] {
         round(value, 10.0);
     }
+    // Centimetres decide which part of the picture lies under water.
+    round(&mut c.dive_m, 100.0);
     p
 }

@@ -82,16 +82,17 @@ impl DropPasses {
         Self { shaders: shaders.clone(), spray: None, rain: None }
     }
 
-    /// Sets the drops of `scene` for the next frame. A reference picture has none: its samples cannot be blended.
+    /// Sets the drops of `scene` for the next frame. A reference picture has none, because its samples cannot be blended,
+    /// and the picture of a diving eye has none, because drops would be drawn over the water in front of them.
     pub fn prepare(&mut self, gpu: &Gpu, water: &WaterPass, targets: &Targets, scene: &Scene) {
-        let is_reference = water.scene.output == OutputKind::Reference;
+        let has_drops = water.scene.output != OutputKind::Reference && !scene.dives();
         self.spray.iter_mut().for_each(|pass| pass.quads = 0);
         self.rain.iter_mut().for_each(|pass| pass.quads = 0);
-        if let Some(value) = SprayUniform::new(scene).filter(|_| !is_reference) {
+        if let Some(value) = SprayUniform::new(scene).filter(|_| has_drops) {
             let make = || DropPass::new(gpu, &self.shaders, "drops/spray", water);
             self.spray.get_or_insert_with(make).set(gpu, targets, &value, spray::QUADS);
         }
-        if let Some(value) = RainUniform::new(scene).filter(|_| !is_reference) {
+        if let Some(value) = RainUniform::new(scene).filter(|_| has_drops) {
             let make = || DropPass::new(gpu, &self.shaders, "drops/rain", water);
             self.rain.get_or_insert_with(make).set(gpu, targets, &value, value.quads());
         }

@@ -10,6 +10,7 @@ use crate::gpu::uniform::Uniform;
 use crate::render::scene::Scene;
 use crate::render::sky::uniform::{LightBuffer, night_gain};
 use crate::render::targets::cleared_attachment;
+use crate::render::water::under;
 use crate::shaders::Shaders;
 use crate::state::look::FilmLook;
 
@@ -50,6 +51,11 @@ fn facing_sun_factor(scene: &Scene) -> f64 {
     let up = ((sun.y.asin().to_degrees() + 3.0) / 6.0).clamp(0.0, 1.0);
     let brightness = up * (1.0 - sky.overcast).powi(2) * (-(angle_deg / 30.0).powi(2)).exp();
     1.0 / (1.0 + 1.6 * brightness)
+}
+
+/// Factor on the automatic exposure by where the camera is and looks.
+fn camera_factor(scene: &Scene) -> f64 {
+    if scene.dives() { under::exposure_factor(scene) } else { facing_sun_factor(scene) }
 }
 
 /// The pass that turns the linear light of a picture into screen colours, at the picture's size: it smooths edges and
@@ -140,7 +146,7 @@ impl TonePass {
         let fixed = NOON_EXPOSURE / night_gain(&scene.look.sky) as f32;
         let uniform = ToneUniform {
             size: size.map(|s| s as f32),
-            exposure_gain: (film.exposure_ev.exp2() * if film.auto_exposure { facing_sun_factor(scene) } else { 1.0 })
+            exposure_gain: (film.exposure_ev.exp2() * if film.auto_exposure { camera_factor(scene) } else { 1.0 })
                 as f32,
             fixed_exposure: if film.auto_exposure { 0.0 } else { fixed },
             curve: film.tone as u32,

@@ -1,4 +1,4 @@
-//! The compute pass that keeps the eye above the water (shaders/water/eye.wgsl).
+//! The compute pass that keeps an eye that does not dive above the water (shaders/water/eye.wgsl).
 
 use super::light::WaterPass;
 use crate::gpu::Gpu;
@@ -10,7 +10,8 @@ use crate::render::scene::Scene;
 use crate::shaders::Shaders;
 
 /// Compute pass that changes the eye's height in the frame uniform: on a buoy, it adds the height of the water below;
-/// then it raises the eye where needed to stay above the waves around it.
+/// then it raises the eye where needed to stay above the waves around it. If the eye dives, it measures the surface there
+/// instead.
 pub struct EyePass {
     pipeline: wgpu::ComputePipeline,
     group: wgpu::BindGroup,

@@ -5,9 +5,10 @@ use super::yacht_shape::yacht_hull;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, RenderProgram};
 use crate::gpu::layout::gpu_struct;
-use crate::point::floating::HullPose;
+use crate::render::scene::Scene;
 use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{DEPTH_TEST_OPAQUE, attachments};
+use crate::render::variants::{PipelineVariants, switch_constant};
 use crate::shaders::Shaders;
 use crate::state::floats::{FloatingObjectKind, MAX_FLOATING_OBJECTS};
 use glam::{DMat3, DVec3};
@@ -27,8 +28,8 @@ gpu_struct! {
 /// The pass that draws floating objects.
 pub struct HullPass {
     module: wgpu::ShaderModule,
-    /// Render pipeline; None until something floats for the first time, when it is compiled.
-    pipeline: Option<wgpu::RenderPipeline>,
+    /// Render pipelines, for an eye above the water and for one that dives; compiled when something floats.
+    pipelines: PipelineVariants<bool>,
     layout: wgpu::BindGroupLayout,
     vertices: Option<(wgpu::Buffer, wgpu::BindGroup)>,
     /// Triangles of each kind of object, in the order of [`FloatingObjectKind::ALL`].
@@ -50,23 +51,19 @@ impl HullPass {
             FloatingObjectKind::Boat => boat_hull(),
             FloatingObjectKind::Yacht => yacht_hull(),
         });
-        Self { module, pipeline: None, layout, vertices: None, hulls, vertex_count: 0 }
+        Self { module, pipelines: PipelineVariants::default(), layout, vertices: None, hulls, vertex_count: 0 }
     }
 
-    /// Uploads the triangles of hulls with the given poses. Uploaded positions are relative to the still water at the
-    /// world position `below_eye` (x, z), m, whose height in the world is `level_m`, m.
-    pub fn upload_hulls(
-        &mut self,
-        gpu: &Gpu,
-        scene: &SceneGroup,
-        poses: &[HullPose],
-        below_eye: [f64; 2],
-        level_m: f64,
-    ) {
+    /// Uploads the triangles of the hulls of a scene. Uploaded positions are relative to the point of the still water
+    /// below the eye.
+    pub fn upload_hulls(&mut self, gpu: &Gpu, group: &SceneGroup, scene: &Scene) {
+        let poses = &scene.hulls;
         self.vertex_count = 0;
         if poses.is_empty() {
             return;
         }
+        let level_m = scene.sea.still_water_level_m;
+        let below_eye = [scene.view.eye.x, scene.view.eye.z];
         let mut vertices = Vec::new();
         for pose in poses {
             let [up, ahead] = [pose.up, pose.forward].map(DVec3::from_array);
@@ -96,14 +93,12 @@ impl HullPass {
         let vertices = &vertices[..vertices.len().min(most)];
         gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(vertices));
         self.vertex_count = vertices.len() as u32;
-        self.pipeline.get_or_insert_with(|| {
-            let layouts = [&scene.layout, &self.layout];
-            gpu.render_pipeline(
-                "hulls",
-                &RenderProgram::new(&self.module),
-                &layouts,
-                &attachments(&scene.output.format(), DEPTH_TEST_OPAQUE),
-            )
+        let (gpu, module, format) = (gpu.clone(), self.module.clone(), group.output.format());
+        let (dives, layouts) = (scene.dives(), [group.layout.clone(), self.layout.clone()]);
+        self.pipelines.select(dives, scene.may_keep_pipelines, move || {
+            let constants = [switch_constant("HULL_DIVES", dives)];
+            let program = RenderProgram { constants: &constants, ..RenderProgram::new(&module) };
+            gpu.render_pipeline("hulls", &program, &layouts.each_ref(), &attachments(&format, DEPTH_TEST_OPAQUE))
         });
     }
 
@@ -114,7 +109,7 @@ impl HullPass {
 
     /// Draws the uploaded hulls in a pass that writes depth, after the pass that lights the water, which only reads it.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, scene: &SceneGroup) {
-        let (Some((_, group)), Some(pipeline)) = (&self.vertices, &self.pipeline) else { return };
+        let (Some((_, group)), Some(pipeline)) = (&self.vertices, self.pipelines.selected()) else { return };
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &scene.group, &[]);
         pass.set_bind_group(1, group, &[]);

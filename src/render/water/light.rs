@@ -25,7 +25,7 @@ const DEPTH_TEST_WATER_LIGHT: DepthState =
 
 /// What a variant of the water's lighting pipeline can draw; the shader code for the rest is compiled out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct WaterLightVariant {
+pub struct WaterLightVariant {
     /// Whether the sea bed is visible through the water.
     bed: bool,
     /// Whether waves focus sunlight into caustics on the bed.
@@ -52,6 +52,8 @@ struct WaterLightVariant {
     cloud_shadows: bool,
     /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
     point_samples: bool,
+    /// Whether the eye dives: the G-buffer then tells which side of the water a pixel shows.
+    dives: bool,
     /// Whether the light is that of the lean tier (shaders/water/lean.wgsl); a reference never is.
     is_lean: bool,
 }
@@ -68,7 +70,7 @@ fn casts_shadows(elevation_deg: f64, [along, across]: SlopeVariance) -> bool {
 }
 
 impl WaterLightVariant {
-    fn new(scene: &Scene, output: OutputKind) -> Self {
+    pub fn new(scene: &Scene, output: OutputKind) -> Self {
         let surface = &scene.look.surface;
         let bed = material::is_bed_visible(scene);
         Self {
@@ -86,11 +88,12 @@ impl WaterLightVariant {
             rain: scene.look.sky.rain_mm_h > 0.0,
             cloud_shadows: scene.look.sky.drawn_clouds() != CloudKind::None,
             point_samples: output == OutputKind::Reference,
+            dives: scene.dives(),
             is_lean: scene.is_lean && output != OutputKind::Reference,
         }
     }
 
-    fn constants(self) -> [(&'static str, f64); 13] {
+    pub fn constants(self) -> [(&'static str, f64); 15] {
         [
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_CAUSTICS", self.caustics),
@@ -106,6 +109,7 @@ impl WaterLightVariant {
             switch_constant("WATER_RAIN", self.rain),
             switch_constant("SKY_CLOUD_SHADOWS", self.cloud_shadows),
             switch_constant("WATER_POINT_SAMPLES", self.point_samples),
+            switch_constant("WATER_DIVES", self.dives),
         ]
     }
 }
@@ -224,11 +228,18 @@ impl WaterPass {
         }
     }
 
-    /// Records the displacement of the water mesh, then its drawing into the G-buffer and depth texture of `targets`.
-    pub fn record_g_buffer(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, targets: &Targets) {
+    /// Records the displacement of the water mesh, then its drawing into the G-buffer and depth texture of `targets`, with
+    /// the pipeline `diving` if the eye dives.
+    pub fn record_g_buffer(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        timer: &Timer,
+        targets: &Targets,
+        diving: Option<&wgpu::RenderPipeline>,
+    ) {
         self.displace(encoder, timer);
         let mut pass = targets.begin_mesh(encoder, timer);
-        pass.set_pipeline(&self.g_buffer_pipeline);
+        pass.set_pipeline(diving.unwrap_or(&self.g_buffer_pipeline));
         self.draw_mesh(&mut pass);
     }
 

@@ -194,6 +194,9 @@ gpu_struct! {
         ring_share: f32,
         /// Mean square slope of all rings.
         ring_slope_variance: f32,
+        /// Diffuse attenuation coefficient Kd of downwelling light, RGB, 1/m.
+        diffuse_attenuation: [f32; 3],
+        unused: u32,
     }
 }
 
@@ -263,6 +266,8 @@ impl MaterialUniform {
             ring_share: (-rain::impacts_per_m2_s(rain_mm_h, RING_DIAMETER_MM) * RING_S * RING_CELL_M2).exp_m1().abs()
                 as f32,
             ring_slope_variance: rain::ring_slope_variance(rain_mm_h) as f32,
+            diffuse_attenuation: single(water.diffuse_attenuation),
+            unused: 0,
         }
     }
 }
@@ -280,7 +285,7 @@ fn bed_cover_edges(cover: f64) -> [f32; 2] {
 }
 
 /// Absorption and scattering of the water that the settings `scattering` select: a water type, or water of a colour.
-fn water_optics(scattering: &Scattering) -> WaterOptics {
+pub fn water_optics(scattering: &Scattering) -> WaterOptics {
     let water = WaterOptics::blend_with_next_type(scattering.water_type, scattering.water_type_blend);
     if scattering.scatter_colour > 0.0 {
         water.with_reflectance_colour(linear_rgb(scattering.scatter_colour))
@@ -289,8 +294,10 @@ fn water_optics(scattering: &Scattering) -> WaterOptics {
     }
 }
 
-/// Whether the sea bed is drawn: more than `MIN_BED_TRANSMITTANCE` of some colour's light returns from it.
+/// Whether the sea bed is drawn: more than `MIN_BED_TRANSMITTANCE` of some colour's light returns from it to the surface,
+/// or to a diving eye.
 pub fn is_bed_visible(scene: &Scene) -> bool {
-    let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(scene.sea.depth_m);
+    let depth_m = scene.sea.depth_m + 0.5 * scene.view.eye.y.min(0.0);
+    let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(depth_m);
     back.into_iter().any(|share| share > MIN_BED_TRANSMITTANCE)
 }

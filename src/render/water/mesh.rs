@@ -60,7 +60,8 @@ impl Mesh {
             ((DEFAULT_COLUMNS * scale / f64::from(COLUMNS_PER_BLOCK)).ceil() as u32) * COLUMNS_PER_BLOCK;
         let rows = (DEFAULT_ROWS * scale).ceil() as u32;
         let (lift, shift) = (1.1 * sea.hs_m, 0.6 * sea.hs_m * sea.max_choppiness());
-        let eye = view.eye.y.max(0.1);
+        // From below, the surface is seen as far away as from the same height above it.
+        let eye = view.eye.y.abs().max(0.1);
         let (lowest, widest) = lowest_elevation_and_largest_azimuth_rad(view);
 
         // Distances grow linearly with the row up to about `radius`, and exponentially beyond.
@@ -126,10 +127,15 @@ impl Mesh {
 /// Limits of the directions in the picture that may show water: lowest elevation (negative below the horizontal), and
 /// largest azimuth to either side of the picture's middle, both rad; (-pi/2, pi) if the point below the eye is visible.
 fn lowest_elevation_and_largest_azimuth_rad(view: &View) -> (f64, f64) {
-    let down = -glam::DVec3::Y;
+    let dives = view.eye.y < 0.0;
+    // A diving eye sees the water above it.
+    let down = if dives { glam::DVec3::Y } else { -glam::DVec3::Y };
     let depth = down.dot(view.forward);
     let [tx, ty] = view.tan_half_fov.map(|t| 1.1 * t);
-    if depth > 0.0 && down.dot(view.right).abs() <= tx * depth && down.dot(view.up).abs() <= ty * depth {
+    let shows = |dir: glam::DVec3, depth: f64| {
+        depth > 0.0 && dir.dot(view.right).abs() <= tx * depth && dir.dot(view.up).abs() <= ty * depth
+    };
+    if shows(down, depth) || dives && shows(-down, -depth) {
         return (-0.5 * PI, PI);
     }
     let ahead = glam::DVec3::new(view.right.z, 0.0, -view.right.x);
@@ -140,12 +146,13 @@ fn lowest_elevation_and_largest_azimuth_rad(view: &View) -> (f64, f64) {
         for ray in [view.ray(at, -1.0), view.ray(at, 1.0), view.ray(-1.0, at), view.ray(1.0, at)] {
             let elevation = ray.y.clamp(-1.0, 1.0).asin();
             lowest = lowest.min(elevation);
-            if elevation < 0.15 {
+            if elevation < 0.15 || dives {
                 widest = widest.max(ray.dot(view.right).atan2(ray.dot(ahead)).abs());
             }
         }
     }
-    (lowest - 0.01, widest)
+    // Waves may cross the lens of a diving eye anywhere.
+    (if dives { -0.5 * PI } else { lowest - 0.01 }, widest)
 }
 
 #[cfg(test)]

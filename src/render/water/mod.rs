@@ -9,4 +9,5 @@ pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod noise;
+pub mod under;
 mod yacht_shape;
