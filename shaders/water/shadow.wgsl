@@ -1,9 +1,6 @@
 // Shadows of waves on waves while the sun is low. A ray from the water towards the sun is compared with the heights of
 // the waves of the maps along it. Waves within a pixel shade each other statistically (Smith's shadowing in facets.wgsl).
 
-// Whether waves shade each other; `casts_shadows` in src/render/water/light.rs tells when they do.
-override WATER_SHADOWS: bool = false;
-
 // Number of cascades that cast shadows, and of steps along the ray.
 const SHADOW_CASCADES = 4u;
 const SHADOW_STEPS = 12;
@@ -18,17 +15,6 @@ const SHADOW_LEAST_RISE = 0.15;
 const SHADOW_FARTHEST = 60.0;
 // Length of a pixel on the sea, in significant wave heights, at which shadows begin to fade into statistics.
 const SHADOW_FADE_START = 1.5;
-
-// Fraction of the sunlight that the waves let through to the point that is lit; a pass sets it once per pixel.
-var<private> shadow_sun_fraction: f32 = 1.0;
-
-// Irradiance by the sun, between clouds and waves, on a plane that faces it at the point that is lit.
-fn shadow_sun_irradiance() -> vec3f {
-  if WATER_SHADOWS {
-    return cloud_sun_irradiance() * shadow_sun_fraction;
-  }
-  return cloud_sun_irradiance();
-}
 
 // Copies of the patches that are visible at the start of a ray: texture coordinates there, and weight. They serve for
 // the whole ray, over which the weights change little, and so the heights keep their variance.
