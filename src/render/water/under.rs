@@ -97,10 +97,13 @@ impl UnderPass {
         let (gpu, module, format) = (gpu.clone(), made.module.clone(), water.scene.output.format());
         let layouts = [&water.scene.layout, water.maps_layout(), &made.layout].map(Clone::clone);
         made.light_pipelines.select(parts, scene.may_keep_pipelines, move || {
+            // Schlick's approximation is for light that comes from the air.
+            let exact = |(name, value)| (name, if name == "WATER_SCHLICK" { 0.0 } else { value });
+            let constants = parts.constants().map(exact);
             let program = RenderProgram {
                 module: &module,
                 entry_points: ["light_vertex", "under_fragment"],
-                constants: &parts.constants(),
+                constants: &constants,
             };
             gpu.render_pipeline("water/under", &program, &layouts.each_ref(), &attachments(&format, DEPTH_TEST_NONE))
         });
