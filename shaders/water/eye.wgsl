@@ -1,5 +1,6 @@
 // Keeps an eye that does not dive above the water: one workgroup samples the waves around the eye and raises it above
-// them, in the frame uniform that later passes read. For an eye that dives, it measures the surface there. The result depends only on the maps, so a still depends only on the state.
+// them, in the frame uniform that later passes read. For an eye that dives, it measures the surface there. The result
+// depends only on the maps, so a still depends only on the state.
 
 @group(0) @binding(0) var<storage, read_write> frame: Frame;
 
@@ -46,7 +47,8 @@ fn main(@builtin(local_invocation_index) i: u32) {
     } else if look >= EYE_FIRST_THREAD_SAMPLES {
       place += select(vec2f(0.0, EYE_BESIDE_M), vec2f(EYE_BESIDE_M, 0.0), look == EYE_FIRST_THREAD_SAMPLES);
     }
-    let there = water_displacement(place, width, false).displacement;
+    let waves = water_displacement(place, width, false).displacement;
+    let there = waves + breaker_motion(place, waves.y, vec2f(0.0)).moved;
     if look == 0 {
       moved = there;
     } else if look < EYE_FIRST_THREAD_SAMPLES {

@@ -112,10 +112,10 @@ pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
 pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 21.0, reads: 0.0, max_ops: 21.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
-pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2955.6, reads: 29.8, max_ops: 4924.0, max_reads: 56.0 };
+pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2927.0, reads: 29.8, max_ops: 4861.0, max_reads: 56.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the lean tier.
 pub const LEAN_LIGHT_FRAGMENT_COST: ShaderCost =
-    ShaderCost { ops: 1331.9, reads: 13.0, max_ops: 2311.0, max_reads: 19.0 };
+    ShaderCost { ops: 1411.9, reads: 13.3, max_ops: 2347.0, max_reads: 19.0 };
 /// Cost per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 249.4, reads: 1.2, max_ops: 331.0, max_reads: 2.0 };
 /// Cost per pixel of the tone pass, which turns the HDR picture into screen colours.
