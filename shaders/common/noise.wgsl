@@ -32,6 +32,11 @@ fn noise_random_words(seed: u32, key: u32, ix: i32, iz: i32) -> vec2u {
   return noise_pcg4d(vec4u(bitcast<u32>(ix), bitcast<u32>(iz), key, seed)).xy;
 }
 
+// The hash pcg4d as four uniform numbers from 0 to below 1.
+fn noise_pcg4d_unit(seed: vec4u) -> vec4f {
+  return vec4f(noise_pcg4d(seed) >> vec4u(8u)) / 16777216.0;
+}
+
 // Two independent normal random numbers (mean 0, variance 1) by the Box-Muller transform, from two random words. The
 // first word becomes a uniform number in the open interval (0, 1), so that the result is finite.
 fn noise_normal_pair(words: vec2u) -> vec2f {

@@ -35,17 +35,13 @@ struct RainQuad {
   opacity: f32,
 }
 
-fn rain_random(seed: vec4u) -> vec4f {
-  return vec4f(noise_pcg4d(seed) >> vec4u(8u)) / 16777216.0;
-}
-
 // Direction across a line that the eye sees, times a half width that is at least half a pixel.
 fn rain_across(middle: vec3f, along: vec3f, half_m: f32, pixel_m: f32) -> vec3f {
   return normalize(cross(middle, along)) * max(half_m, 0.5 * pixel_m);
 }
 
 fn rain_drop(i: u32) -> RainQuad {
-  let random = rain_random(vec4u(i, 3u, 5u, 7u));
+  let random = noise_pcg4d_unit(vec4u(i, 3u, 5u, 7u));
   let group = rain.classes[i % RAIN_CLASSES];
   let moving = rain.velocities[i % RAIN_CLASSES];
   let velocity = moving.xyz;
@@ -67,8 +63,8 @@ fn rain_drop(i: u32) -> RainQuad {
 fn rain_splash(i: u32) -> RainQuad {
   let step = vec2i(i32(i % RAIN_SPLASH_SIDE), i32(i / RAIN_SPLASH_SIDE));
   let cell = bitcast<vec2u>(rain.first_cell + step);
-  let time = rain.moment_fraction + rain_random(vec4u(cell, 11u, 0u)).x;
-  let random = rain_random(vec4u(cell, 13u, rain.moment + u32(time)));
+  let time = rain.moment_fraction + noise_pcg4d_unit(vec4u(cell, 11u, 0u)).x;
+  let random = noise_pcg4d_unit(vec4u(cell, 13u, rain.moment + u32(time)));
   var out: RainQuad;
   if random.w >= rain.splash_share {
     return out;

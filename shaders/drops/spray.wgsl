@@ -54,10 +54,6 @@ fn spray_foam(at: vec2f) -> vec4f {
   return vec4f(0.0);
 }
 
-fn spray_random(seed: vec4u) -> vec4f {
-  return vec4f(noise_pcg4d(seed) >> vec4u(8u)) / 16777216.0;
-}
-
 // Share of a grid's puffs that are seen at a distance from the eye, so that grids take turns gradually.
 fn spray_level_share(level: u32, distance_m: f32) -> f32 {
   let reach = spray.levels[level].reach_m;
@@ -135,11 +131,11 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let step = vec2i(i32(i % SPRAY_SIDE), i32((i / SPRAY_SIDE) % SPRAY_SIDE));
   let grid = spray.levels[level];
   let cell = bitcast<vec2u>(grid.first_cell + step);
-  let time = spray.moment_fraction + spray_random(vec4u(cell, level, 77u)).x;
+  let time = spray.moment_fraction + noise_pcg4d_unit(vec4u(cell, level, 77u)).x;
   let key = vec4u(cell, level, spray.moment + u32(time));
-  let random = spray_random(key);
-  let more = spray_random(key + 1u);
-  if spray_random(key + 2u).x >= spray.share {
+  let random = noise_pcg4d_unit(key);
+  let more = noise_pcg4d_unit(key + 1u);
+  if noise_pcg4d_unit(key + 2u).x >= spray.share {
     return out;
   }
   let place = grid.corner + (vec2f(step) + random.xy) * grid.cell_m;

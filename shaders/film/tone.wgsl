@@ -40,7 +40,7 @@ fn tone_film(linear: vec3f) -> vec3f {
   let light = clamp(linear, vec3f(1e-6), vec3f(1e6));
   let logs = log2(light);
   let most = max(logs.r, max(logs.g, logs.b));
-  // Light far above white, as that of the low sun, keeps the tint that it has there.
+  // Light brighter than TONE_FILM_WHITEST, such as the low sun, keeps the tint that light of that brightness has.
   let tinted = light * exp2(min(TONE_FILM_WHITEST - most, 0.0));
   let response = tone_film_response(vec4f(log2(TONE_INTO * tinted), most));
   let white = response.w;

@@ -15,8 +15,8 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let km = 0.001 * distance_m;
   let extinction =
     ATM_RAYLEIGH_SCATTERING * frame.mean_air_density.x + ATM_AEROSOL_EXTINCTION * (sky.haze * frame.mean_air_density.y);
-  let spray = frame.spray_extinction_per_km;
-  let through = atm_linear_srgb(exp(-(extinction + spray) * km)) * ATM_INVERSE_SUN;
+  let salt = frame.salt_extinction_per_km;
+  let through = atm_linear_srgb(exp(-(extinction + salt) * km)) * ATM_INVERSE_SUN;
   if SKY_IMAGE && sky.has_image > 0.0 {
     return array<vec3f, 2>(air_horizon_radiance(dir) * (1.0 - through), through);
   }
@@ -32,8 +32,9 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   // At the horizon, a fused multiply-add can make the difference of two equal squares negative.
   let root = max(fall * fall - dip * dip, 0.0);
   let whole_km = ATM_EARTH_RADIUS_KM * (fall - sqrt(root));
-  // The shares of all wavelengths are as good as equal, because the two distances are.
-  let opacities = 1.0 - exp(-vec2f((extinction.y + spray) * km, extinction.y * whole_km));
+  // The tables hold no sea salt. It counts only on the way to the point, so the share may exceed 1. One wavelength
+  // stands for all.
+  let opacities = 1.0 - exp(-vec2f((extinction.y + salt) * km, extinction.y * whole_km));
   let share = opacities.x / max(opacities.y, 1e-6);
   var clear = sky_clear_radiance(dir, below) * share;
   if SKY_CLOUD_SHADOWS {

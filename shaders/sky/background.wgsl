@@ -59,22 +59,22 @@ fn sky_star_radiance(dir: vec3f) -> vec3f {
   return hue * (lux * sky.night_gain * exp(-0.5 * off * off) / (2.0 * ATM_PI * size * size));
 }
 
-// Elevation above the horizon, rad, up to which spray veils the sky.
-const SKY_SPRAY_REACH = 0.06;
-// Vertical scale height of the layer of sea spray, km (`SPRAY_SCALE_HEIGHT_M` in src/render/frame.rs), and the elevation,
+// Elevation above the horizon, rad, up to which sea salt veils the sky.
+const SKY_SALT_REACH = 0.06;
+// Vertical scale height of the layer of sea salt, km (`SALT_SCALE_HEIGHT_M` in src/render/frame.rs), and the elevation,
 // rad, at which the curved Earth makes a slanted path through it as long as a level one.
-const SKY_SPRAY_HEIGHT_KM = 0.06;
-const SKY_SPRAY_LEVEL_ELEVATION = 0.0025;
+const SKY_SALT_HEIGHT_KM = 0.06;
+const SKY_SALT_LEVEL_ELEVATION = 0.0025;
 
-// Low sky of the radiance `radiance` behind the layer of spray, which has the light of the distant air. `above` is the
+// Low sky of the radiance `radiance` behind the layer of sea salt, which has the light of the distant air. `above` is the
 // elevation above the horizon, rad.
-fn sky_behind_spray(radiance: vec3f, dir: vec3f, above: f32) -> vec3f {
-  let fade = 1.0 - above * (1.0 / SKY_SPRAY_REACH);
+fn sky_behind_salt(radiance: vec3f, dir: vec3f, above: f32) -> vec3f {
+  let fade = 1.0 - above * (1.0 / SKY_SALT_REACH);
   if fade <= 0.0 {
     return radiance;
   }
-  let slant_km = SKY_SPRAY_HEIGHT_KM / sqrt(above * above + SKY_SPRAY_LEVEL_ELEVATION * SKY_SPRAY_LEVEL_ELEVATION);
-  let through = exp(-frame.spray_extinction_per_km * slant_km * fade);
+  let slant_km = SKY_SALT_HEIGHT_KM / sqrt(above * above + SKY_SALT_LEVEL_ELEVATION * SKY_SALT_LEVEL_ELEVATION);
+  let through = exp(-frame.salt_extinction_per_km * slant_km * fade);
   var clear = sky_clear_radiance(dir, 0.0);
   if SKY_CLOUD_DOME && sky.has_cloud_dome > 0.0 {
     clear *= sky_shaded_air();
@@ -106,7 +106,7 @@ fn fragment(in: SkyFragment) -> @location(0) vec4f {
       }
       radiance += beyond * (air.w * (1.0 - sky.overcast));
     }
-    radiance = sky_behind_spray(radiance, dir, above);
+    radiance = sky_behind_salt(radiance, dir, above);
   }
   if SKY_FOG && sky.fog.extinction_per_m > 0.0 {
     let fog = air_fog_on_ray(dir, FOG_FAR_M);

@@ -26,9 +26,9 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
     let s = cloud_field.shapes_per_km;
     let wide_at = vec3f(p.x / 3.0, p.y, p.z) * (0.25 * s);
     let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, wide_at, 0.0).b - 0.5;
-    let q = vec3f(p.x / 12.0, p.y, p.z + 0.9 * bend / s) * s;
+    let q = vec3f(p.x / 12.0, p.y, p.z + 0.4 * bend / s) * s;
     let wide = textureSampleLevel(cloud_noise_map, cloud_sampler, q, 0.0).b;
-    let r = vec3f(p.x / 16.0, p.y, p.z + 0.9 * bend / s) * cloud_field.details_per_km;
+    let r = vec3f(p.x / 16.0, p.y, p.z + 0.4 * bend / s) * cloud_field.details_per_km;
     let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, r, 0.0).b;
     let fibres = cloud_field.shape_amplitude * (wide - 0.58) + detail * cloud_field.detail_amplitude * (fine - 0.5);
     return depth + fibres;

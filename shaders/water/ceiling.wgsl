@@ -51,8 +51,7 @@ fn ceiling_sun(dir: vec3f, slope: WaterSlope) -> vec3f {
     return vec3f(0.0);
   }
   let area = max(water_tilt_projected_area(water_tilt_towards(dir, slope)).x, 1e-3);
-  let spread = index * dir - l;
-  let jacobian = index * index * cosines.x * cosines.y / max(dot(spread, spread), 1e-4);
+  let jacobian = index * index * cosines.x * cosines.y / max(dot(between, between), 1e-4);
   let n2 = n.y * n.y;
   let facets = water_slope_density_at(density, square) * jacobian / (n2 * n2 * area);
   let most = index * index * frame.sun_radiance_per_irradiance;

@@ -32,7 +32,7 @@ const FOAM_RELIEF_SLOPE_SIGMA = 0.3;
 // Simulated front above which a cell shows one, and from which it is full.
 const FOAM_FRONT_RANGE = vec2f(0.3, 0.9);
 // Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
-// the mean of fronts and of the rest is that of the simulated foam, within 2 % in winds of 8 to 26 m/s.
+// the mean of fronts and of the rest is that of the simulated foam, within 3 % in winds of 10 to 20 m/s.
 const FOAM_FRONT_SHARES = vec2f(0.29, 0.18);
 // Mean of the plume relative to that of the foam.
 const FOAM_MEAN_PLUME_RATIO = 1.4;

@@ -4,7 +4,7 @@
 const FOAM_ALBEDO = 0.72;
 
 // Colour of a thin film of foam: light that it scatters down comes back through the water between its bubbles.
-const FOAM_FILM_COLOUR = vec3f(0.6, 0.85, 0.95);
+const FOAM_FILM_COLOUR = vec3f(0.75, 0.9, 0.95);
 
 // Radiance of foam towards `v`: a white diffuse body lit by sun and sky, with the gloss of its wet bubbles.
 fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {

@@ -44,6 +44,9 @@ fn hull_radiance_below(in: HullFragment, n: vec3f, dir: vec3f, distance_m: f32) 
   return surface * medium_transmittance(distance_m) + medium_radiance(dir, eye_m, distance_m, 1.0);
 }
 
+// How much brighter than its mean the sky is on the side of the sun, and darker on the other, as a hull sees it.
+const HULL_SKY_CONTRAST = 0.6;
+
 @fragment
 fn fragment(in: HullFragment) -> @location(0) vec4f {
   let distance_m = length(in.position);
@@ -64,7 +67,8 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let sun_cosine = dot(n, frame.sun_direction);
   let sun = sunlight * max(sun_cosine, 0.0);
   let on_sea = light.sky_irradiance + sunlight * max(frame.sun_direction.y, 0.0);
-  let around = light.sky_irradiance * up + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
+  let facing_sun = dot(n.xz, normalize(frame.sun_direction.xz + vec2f(1e-6, 0.0)));
+  let around = light.sky_irradiance * (up * (1.0 + HULL_SKY_CONTRAST * facing_sun)) + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
   let diffuse = mix(sun, sunlight * max(-sun_cosine, 0.0), through);
   // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);

@@ -173,7 +173,7 @@ fn lean_crest_radiance(n: vec3f, ray: vec3f, slope: WaterSlope, height_m: f32, p
 // Air and fog between the eye and a point of the sea: the radiance that they add, and their transmittance. Where they
 // take too little light to be seen, they are left out.
 fn lean_air(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
-  let extinction = 2e-5 + 5e-5 * sky.haze + 1e-3 * frame.spray_extinction_per_km + sky.fog.extinction_per_m;
+  let extinction = 2e-5 + 5e-5 * sky.haze + 1e-3 * frame.salt_extinction_per_km + sky.fog.extinction_per_m;
   if extinction * distance_m < LEAN_LEAST_OPTICAL_DEPTH {
     return array<vec3f, 2>(vec3f(0.0), vec3f(1.0));
   }

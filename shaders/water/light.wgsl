@@ -92,13 +92,11 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
   let place = water_position(in.ray, pixel);
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
-  var shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
-  if WATER_DIVES {
-    shear_and_side.y = abs(shear_and_side.y);
-  }
+  let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
+  let side_m = abs(shear_and_side.y);
   // Fine derivatives, because coarse ones may come from the other row of a quad of pixels, which may show the sky.
-  let x = water_pixel_side(dpdxFine(at), shear_and_side.y);
-  let y = water_pixel_side(dpdyFine(at), shear_and_side.y);
+  let x = water_pixel_side(dpdxFine(at), side_m);
+  let y = water_pixel_side(dpdyFine(at), side_m);
   let dx = frame.footprint_scale * x.side;
   let dy = frame.footprint_scale * y.side;
   let foot = water_footprint(dx, dy);
@@ -134,8 +132,5 @@ fn lean_fragment(in: LightFragment) -> @location(0) vec4f {
   let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
   let mesh = textureLoad(slope_and_stretch_map, pixel, 0);
   let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
-  if WATER_DIVES {
-    return lean_radiance(WaterPoint(place, at, water_height_m(place)), abs(shear_and_side.y), carried);
-  }
-  return lean_radiance(WaterPoint(place, at, water_height_m(place)), shear_and_side.y, carried);
+  return lean_radiance(WaterPoint(place, at, water_height_m(place)), abs(shear_and_side.y), carried);
 }

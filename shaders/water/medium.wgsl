@@ -1,5 +1,5 @@
 // Light inside the water: daylight that falls with depth, and what the water scatters of it towards an eye below the
-// surface. Depths are below the surface above, m. One direction `dir` points from the eye into the picture.
+// surface. Depths, m, count from the surface straight above. Directions `dir` point from the eye into the picture.
 
 // Fraction of scattered light that is turned by less than some 5 degrees and so stays in the image (Petzold 1972).
 const MEDIUM_NARROW_SCATTERING = 0.5;
@@ -64,8 +64,8 @@ fn medium_radiance(dir: vec3f, depth_m: f32, length_m: f32, gain: f32) -> vec3f 
   return medium_scattered(dir, depth_m, gain, medium_integral(rates[0], length_m), medium_integral(rates[1], length_m));
 }
 
-// As medium_radiance, with the lengths of the ray, m, each weighted by what reaches the eye of diffuse daylight and of the
-// sun's beam.
+// As medium_radiance, with the ray's effective lengths, m, for diffuse daylight (`diffuse_m`) and for the sun's beam
+// (`beam_m`): lengths weighted by the share of their light that reaches the eye.
 fn medium_scattered(dir: vec3f, depth_m: f32, gain: f32, diffuse_m: vec3f, beam_m: vec3f) -> vec3f {
   let c = medium_extinction();
   let kd = material.diffuse_attenuation;

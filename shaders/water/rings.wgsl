@@ -16,10 +16,8 @@ const RING_REACH = 0.36;
 // The mean square slope of rings with amplitude 1 in every cell is RING_SQUARE * RING_REACH * half width / cell: the
 // integral of 2 pi r cos^2 exp(-2 (r - r0)^2 / w^2) over r, with the fading over the life of a ring.
 const RING_SQUARE = 0.34;
-
-fn ring_random(seed: vec4u) -> vec4f {
-  return vec4f(noise_pcg4d(seed) >> vec4u(8u)) / 16777216.0;
-}
+// Amplitude of the slope of the steepest rings.
+const RING_HIGHEST_SLOPE = 0.4;
 
 // Slope by the rings of a layer at an undisplaced position, for rings of amplitude 1.
 fn ring_layer_slope(layer: u32, at: vec2f) -> vec2f {
@@ -31,8 +29,8 @@ fn ring_layer_slope(layer: u32, at: vec2f) -> vec2f {
   for (var i = 0; i < 4; i++) {
     let cell = first + vec2f(f32(i & 1), f32(i >> 1));
     let key = bitcast<vec2u>(vec2i(cell) + material.ring_period * RING_CELLS_PER_PERIOD[layer]);
-    let time = material.ring_moment_fraction + ring_random(vec4u(key, layer, 0u)).x;
-    let random = ring_random(vec4u(key, layer + 8u, material.ring_moment + u32(time)));
+    let time = material.ring_moment_fraction + noise_pcg4d_unit(vec4u(key, layer, 0u)).x;
+    let random = noise_pcg4d_unit(vec4u(key, layer + 8u, material.ring_moment + u32(time)));
     let age = fract(time);
     let off = (place - cell - random.xy) * shape.x;
     let r = length(off);
@@ -55,8 +53,12 @@ fn ring_add(seen: WaterSlope, at: vec2f, length_m: f32) -> WaterSlope {
     if kept > 0.05 {
       let square = material.ring_slope_variance * shape.w;
       let cell_square = RING_SQUARE * RING_REACH * shape.z / shape.x;
-      out.mean += ring_layer_slope(layer, at) * (kept * sqrt(square / (cell_square * material.ring_share)));
-      out.variance = max(out.variance - vec3f(vec2f(0.5 * square * kept * kept), 0.0), vec3f(1e-5, 1e-5, -1.0));
+      // Few drops of a light rain are large enough for a ring; the others stay roughness.
+      let ring_square = cell_square * material.ring_share;
+      let amplitude = min(sqrt(square / max(ring_square, 1e-9)), RING_HIGHEST_SLOPE);
+      out.mean += ring_layer_slope(layer, at) * (kept * amplitude);
+      let drawn = 0.5 * ring_square * amplitude * amplitude * kept * kept;
+      out.variance = max(out.variance - vec3f(vec2f(drawn), 0.0), vec3f(1e-5, 1e-5, -1.0));
     }
   }
   return out;

@@ -2,6 +2,8 @@
 // refracted beam meet the surface on one straight line from the point from which the eye itself is lit. So a map in polar
 // coordinates around that point holds each ray in one column, sharp from column to column, and smooth along it.
 
+// Columns and rows of the map (`SHAFTS_SIZE` in src/render/water/under.rs).
+const SHAFTS_MAP_SIZE = vec2f(512.0, 32.0);
 // Distances of the first row, m, and of the last one.
 const SHAFTS_NEAR_M = 0.15;
 const SHAFTS_FAR_M = 60.0;
@@ -34,7 +36,7 @@ fn shafts_eye_depth_m() -> f32 {
 // Irradiance by the sun relative to its mean, at four depths, in one direction (column) and at one distance (row).
 @fragment
 fn shafts_fragment(in: LightFragment) -> @location(0) vec4f {
-  let size = vec2f(512.0, 32.0);
+  let size = SHAFTS_MAP_SIZE;
   let azimuth = 2.0 * ATM_PI * in.clip.x / size.x;
   let centre = shafts_entry(vec2f(0.0), shafts_eye_depth_m());
   var sum = vec4f(0.0);

@@ -1,11 +1,13 @@
 // What a diving eye sees: lights each pixel whose ray begins under water, and the line where the surface crosses the lens.
 
+// It takes the place of slope_and_stretch_map (light.wgsl), which no entry point of this file reads.
 @group(2) @binding(2) var shafts_map: texture_2d<f32>;
 
 // Height of the surface at the lens, m, as estimated from its slope, below which the sides of the mesh decide what a
 // pixel shows.
 const UNDER_SURE_M = 0.05;
-// Distance of a surface that a ray which begins within millimetres of it cannot reach without leaving the water, m.
+// Distance, m. A ray that begins within millimetres of the surface leaves the water before it gets so far, so a farther
+// surface does not tell on which side the ray began.
 const UNDER_FAR_M = 2.0;
 // Half the width of the dark line of the meniscus, divided by the picture's height.
 const UNDER_MENISCUS = 0.006;
@@ -115,7 +117,8 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
     place = water_position(in.ray, pixel);
     let point = WaterPoint(place, at, water_height_m(place));
     let gust = water_gust_gain(at, foot.length_m);
-    slope = water_slope_with_carried(at, water_moved(point), foot, foot, WaterDerivatives(), false, gust);
+    let breaker = breaker_motion(at, point.height, vec2f(0.0));
+    slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, gust);
   }
   let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shows_ceiling);
   let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && shows_ceiling);
@@ -145,7 +148,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   radiance = radiance * medium_transmittance(length_m) + medium_radiance(dir, depth_m, length_m, gain);
   // The water that clings to the lens bends the rays at its rim down into the dark.
   if abs(under_estimate_m(in.ray)) < UNDER_SURE_M {
-    radiance *= 1.0 - 0.85 * maths_smooth(1.4 * under_air_above(pixel, in.ray));
+    radiance *= 1.0 - 0.6 * maths_smooth(1.4 * under_air_above(pixel, in.ray));
   }
   return frame_hdr_output(radiance, 1.0 / length_m);
 }

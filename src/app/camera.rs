@@ -1,6 +1,7 @@
 //! Moves the camera by mouse, touch and keyboard. Input over the panel does not move it.
 
 use super::App;
+use crate::state::camera::deepest_dive_m;
 use crate::state::motion::{fly, orbit, rotate_camera, zoom};
 use crate::state::params::{Camera, CameraMode};
 use crate::state::rounding::{camera_pose, with_rounded_pose};
@@ -48,8 +49,8 @@ pub fn apply_pointer_to_camera(camera: &mut Camera, response: &egui::Response, c
 }
 
 /// Applies the keyboard to the camera: WASD and the arrows fly, Q and E sink and rise, Shift flies faster, C changes
-/// the camera mode.
-pub fn apply_keys_to_camera(camera: &mut Camera, ctx: &egui::Context) {
+/// the camera mode. The camera dives no deeper than to the bed of water that is `depth_m` deep.
+pub fn apply_keys_to_camera(camera: &mut Camera, depth_m: f64, ctx: &egui::Context) {
     if ctx.input(|i| i.key_pressed(Key::C) && i.modifiers.is_none()) {
         camera.mode = match camera.mode {
             CameraMode::Fly => CameraMode::Orbit,
@@ -71,6 +72,7 @@ pub fn apply_keys_to_camera(camera: &mut Camera, ctx: &egui::Context) {
     let speed = if camera.dive_m > 0.0 { DIVE_SPEED_M_S } else { MIN_SPEED_M_S + SPEED_PER_HEIGHT * camera.y_m };
     let step = dt * speed * if hurry { SHIFT_SPEED_FACTOR } else { 1.0 };
     fly(camera, aside * step, ahead * step, rise * step);
+    camera.dive_m = camera.dive_m.min(deepest_dive_m(depth_m));
     ctx.request_repaint();
 }
 

@@ -93,7 +93,7 @@ impl App {
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }
         if free {
-            camera::apply_keys_to_camera(&mut self.params.camera, ctx);
+            camera::apply_keys_to_camera(&mut self.params.camera, self.params.sea.depth_m, ctx);
         }
     }
 

@@ -38,9 +38,13 @@ impl App {
     }
 
     /// The position on the sea, m east and south, seen at the point `at` of the window; `rect` is the area that shows
-    /// the sea. `None` if there is no water or it is farther than [`MAX_FLOATING_OBJECT_DISTANCE_M`].
+    /// the sea. `None` if there is no water, if it is farther than [`MAX_FLOATING_OBJECT_DISTANCE_M`], or if
+    /// the camera dives.
     fn water_position_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
         let camera = &self.params.camera;
+        if camera.dive_m > 0.0 {
+            return None;
+        }
         let aspect = f64::from(rect.width() / rect.height().max(1.0));
         let view = View::new(camera, aspect, 0.0);
         let to = (at - rect.center()) / (0.5 * rect.size());

@@ -2,7 +2,7 @@
 
 use crate::files::measured::MeasuredSpectrum;
 use crate::lab::flip;
-use crate::state::start::START;
+use crate::state::start::given_or_start;
 use crate::state::{Params, query};
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -52,8 +52,8 @@ pub struct SeaArgs {
 impl SeaArgs {
     /// These arguments with the state of the first sea, if they name neither a state nor a spectrum.
     pub fn or_start(mut self) -> Self {
-        if self.spectrum.is_empty() && self.state.as_deref().is_none_or(str::is_empty) {
-            self.state = Some(START.to_owned());
+        if self.spectrum.is_empty() {
+            self.state = Some(given_or_start(self.state.as_deref().unwrap_or_default()).to_owned());
         }
         self
     }

@@ -29,10 +29,17 @@ pub struct GalleryPicture {
 /// The pictures of the gallery, in the order of the page.
 pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
+        title: "A fine day",
+        description: "The sea that the page opens with: a fresh breeze on a long swell, a low sun between \
+                      fair-weather cumulus.",
+        state: "v=2&wind=8&fetch=60&scale2=1&hs2=1.8&swell2=0.8&sun=12&sunaz=20&haze=0.4&clouds=cumulus&glints=1\
+                &gusts=1&bloom=0.04&y=3&heading=30&pitch=2&t=40&afloat=yacht*34*-50",
+    },
+    GalleryPicture {
         title: "Calm at dawn",
         description: "Beaufort 1 with a very low swell under cirrus: the water mirrors the sky just after sunrise.",
         state: "v=2&spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&clouds=cirrus&cloudcover=0.4\
-                &glints=1&gusts=1&bloom=0.04&y=3&heading=62&pitch=3&t=40",
+                &glints=1&gusts=1&bloom=0.04&y=3&heading=62&pitch=3&t=40&afloat=yacht*76*-36",
     },
     GalleryPicture {
         title: "Trade wind",
@@ -42,35 +49,55 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
                 &cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=5&heading=250&pitch=1&t=40",
     },
     GalleryPicture {
-        title: "Fresh breeze",
-        description: "11 m/s over 130 km of water: moderate waves, many whitecaps, and shadows of clouds on the sea.",
-        state: "v=2&wind=11&fetch=130&sun=32&sunaz=320&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04\
-                &y=2.5&heading=55&pitch=0&t=40",
-    },
-    GalleryPicture {
-        title: "North Sea gale",
-        description: "Beaufort 8 in water 40 m deep under stratocumulus: the TMA spectrum, steep waves, streaks \
-                      of foam.",
-        state: "v=2&spectrum=tma&wind=19&fetch=300&dir=330&depth=40&sunaz=230&clouds=stratocumulus&cloudcover=0.6\
-                &glints=1&gusts=1&bloom=0.04&y=4&heading=170&pitch=-1&t=46",
+        title: "Gale",
+        description: "Beaufort 9 over 500 km of water: a breaker topples in front of the camera, spray blows \
+                      off its crest.",
+        state: "v=2&wind=22&fetch=500&dir=250&spray=1&sunaz=150&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1\
+                &bloom=0.04&y=4&heading=244&pitch=-2&fov=45&t=51.2",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
         description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough.",
-        state: "v=2&wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1\
-                &gusts=1&bloom=0.04&y=3&heading=255&pitch=1&fov=45&t=43",
+        state: "v=2&wind=26&fetch=750&dir=270&spray=1&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7\
+                &glints=1&gusts=1&bloom=0.04&y=3&heading=261&pitch=2&fov=22&t=43",
+    },
+    GalleryPicture {
+        title: "Spindrift",
+        description: "Beaufort 10 against a low sun: the wind tears spray off the crests.",
+        state: "v=2&wind=26&fetch=500&dir=250&spray=1&sun=10&sunaz=228&clouds=stratocumulus&cloudcover=0.3\
+                &glints=1&gusts=1&bloom=0.04&y=3.5&heading=225&pitch=1&fov=40&t=20",
     },
     GalleryPicture {
         title: "Long swell",
-        description: "A swell of three metres and sixteen seconds from a distant storm, under a light breeze.",
-        state: "v=2&spectrum=pm&wind=3&scale2=1&dir2=290&hs2=3&tp2=16&swell2=1&sun=14&sunaz=300&clouds=cirrus\
-                &glints=1&gusts=1&bloom=0.04&y=6&heading=280&pitch=1&t=40",
+        description: "A swell of four metres and fourteen seconds from a distant storm, under a light breeze.",
+        state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=9&sunaz=250&haze=0.5\
+                &clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=5&heading=285&pitch=0&fov=35&t=52\
+                &afloat=yacht*-150*-35",
     },
     GalleryPicture {
-        title: "Crossing seas",
-        description: "A fresh wind sea across a swell of nine seconds, with the glints of a high sun.",
-        state: "v=2&wind=11&scale2=1&dir2=330&hs2=2.2&tp2=9&swell2=0.3&sun=35&sunaz=160&clouds=cumulus\
-                &cloudcover=0.2&glints=1&gusts=1&bloom=0.04&y=6&heading=205&pitch=-3&t=40",
+        title: "Golden hour",
+        description: "A low sun behind a yacht: waves shade each other, and the crests between carry the light.",
+        state: "v=2&wind=10&sun=5&sunaz=200&clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=3&heading=200&pitch=-1\
+                &t=40&afloat=yacht*-18*70",
+    },
+    GalleryPicture {
+        title: "Under water",
+        description: "Six metres down: Snell's window in the waves, total reflection around it, and shafts of \
+                      sunlight.",
+        state: "v=2&wind=5&fetch=50&sun=42&sunaz=40&clouds=cumulus&glints=1&gusts=1&bloom=0.04&dive=6&pitch=38\
+                &fov=85&t=10",
+    },
+    GalleryPicture {
+        title: "At the waterline",
+        description: "Half of the lens is under water, over three metres of rippled sand with caustics.",
+        state: "v=2&wind=3&fetch=10&depth=3&sun=50&sunaz=80&clouds=cumulus&water=ib&glints=1&gusts=1&bloom=0.04\
+                &dive=0.03&heading=20&pitch=-4&fov=75&t=4.3",
+    },
+    GalleryPicture {
+        title: "Rain",
+        description: "A cloudburst from a closed deck: streaks and splashes of drops, and a veil before the horizon.",
+        state: "v=2&wind=7&fetch=60&sun=35&sunaz=350&clouds=storm&cloudcover=0.9&rain=60&glints=1&gusts=1\
+                &bloom=0.04&y=2&heading=10&pitch=-6&t=40",
     },
     GalleryPicture {
         title: "Shallow tropical water",
@@ -79,22 +106,10 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
                 &gusts=1&caustics=1&bloom=0.04&y=8&heading=220&pitch=-14&t=40",
     },
     GalleryPicture {
-        title: "Overcast",
-        description: "A fresh breeze under a closed deck of low clouds.",
-        state: "v=2&wind=9&fetch=80&sun=40&sunaz=330&clouds=storm&cloudcover=0.9&glints=1&gusts=1&bloom=0.04&y=3\
-                &heading=50&pitch=1&t=40",
-    },
-    GalleryPicture {
         title: "Dusk",
         description: "The sun has just set behind scattered clouds.",
         state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&glints=1&gusts=1&bloom=0.04&y=4\
-                &heading=290&pitch=2&t=40",
-    },
-    GalleryPicture {
-        title: "From the air",
-        description: "A strong breeze from 90 m: whitecaps with their fading trails, and cumulus to the horizon.",
-        state: "v=2&wind=11&fetch=130&sun=38&sunaz=300&clouds=cumulus&cloudcover=0.25&glints=1&gusts=1&bloom=0.04\
-                &y=90&pitch=-9&t=40",
+                &heading=290&pitch=2&t=40&afloat=yacht*-85*-18",
     },
     GalleryPicture {
         title: "Close to the ripples",
@@ -103,22 +118,10 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
                 &glints=1&gusts=1&bloom=0.04&y=1.2&heading=62&pitch=-8&t=30",
     },
     GalleryPicture {
-        title: "Golden hour",
-        description: "A low sun between few clouds: broken gold on the faces that tilt towards it.",
-        state: "v=2&sun=7&sunaz=200&clouds=cumulus&cloudcover=0.12&glints=1&gusts=1&bloom=0.04&y=2.5&heading=188\
-                &pitch=1&t=52",
-    },
-    GalleryPicture {
-        title: "Towering clouds",
-        description: "A moderate breeze under towering cumulus.",
-        state: "v=2&wind=9&fetch=85&sun=25&sunaz=250&clouds=towering&cloudcover=0.25&glints=1&gusts=1&bloom=0.04&y=3\
-                &heading=320&pitch=6&t=40",
-    },
-    GalleryPicture {
-        title: "Green crests",
-        description: "A near gale in green coastal water: light comes through the crests.",
-        state: "v=2&wind=14&fetch=250&sun=22&sunaz=65&clouds=cumulus&cloudcover=0.2&water=3c&glints=1&gusts=1\
-                &bloom=0.04&y=2.5&pitch=-1&t=33",
+        title: "From the air",
+        description: "A strong breeze from 60 m: whitecaps with their fading trails, and cumulus to the horizon.",
+        state: "v=2&fetch=200&sun=38&sunaz=300&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=60\
+                &pitch=-6&t=40&afloat=yacht*160*-200",
     },
 ];
 

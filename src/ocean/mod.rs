@@ -16,7 +16,7 @@ use crate::shaders::Shaders;
 use crate::sim::transition::{Interpolated, TransitionFrameProgress, TransitionKind};
 use crate::sim::{MAX_FOAM_STEPS, MapCascade, Simulation};
 use crate::state::Params;
-use crate::state::camera::View;
+use crate::state::camera::{View, deepest_dive_m};
 use crate::state::params::{Camera, CameraMode};
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::{Plan, SeaChange};
@@ -392,8 +392,8 @@ impl Ocean {
 }
 
 /// A copy of the camera whose height counts from the still water of `sea`, because the renderer draws still water at
-/// height 0. A diving camera stays 0.4 m above the mean level of the bed.
+/// height 0. A diving camera stays above the bed.
 fn relative_to_still_water(camera: &Camera, sea: &SeaAppearance) -> Camera {
-    let deepest_m = (sea.depth_m - 0.4).max(0.1);
-    Camera { y_m: camera.y_m - sea.still_water_level_m, dive_m: camera.dive_m.min(deepest_m), ..camera.clone() }
+    let dive_m = camera.dive_m.min(deepest_dive_m(sea.depth_m));
+    Camera { y_m: camera.y_m - sea.still_water_level_m, dive_m, ..camera.clone() }
 }

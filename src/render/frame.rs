@@ -27,8 +27,8 @@ const SMOOTH_WAVE_TEXELS: f64 = 6.0;
 const FRONT_WIDTH_M: f64 = 1.0 / 0.07;
 /// Scale heights of air molecules and of aerosol, m (WGSL `ATM_RAYLEIGH_SCALE_HEIGHT_KM`, `ATM_AEROSOL_SCALE_HEIGHT_KM`).
 const AIR_SCALE_HEIGHTS_M: [f64; 2] = [8400.0, 1200.0];
-/// Scale height of the layer of sea spray, m.
-const SPRAY_SCALE_HEIGHT_M: f64 = 60.0;
+/// Scale height of the layer of sea salt, m.
+const SALT_SCALE_HEIGHT_M: f64 = 60.0;
 /// Largest number of ripple layers, the shrunk copies of finest cascades: one for each of the two seas of a cross-fade.
 const MAX_RIPPLE_LAYERS: usize = 2;
 /// Length of `cascades` in the frame uniform: room for the cascades and ripple layers of both seas of a cross-fade.
@@ -165,9 +165,9 @@ gpu_struct! {
         pub breaker_direction: u32,
         /// Height of the water surface above a diving eye, m, and its slope along x and z; written by the eye pass.
         pub water_at_eye: [f32; 3],
-        /// Mean extinction coefficient of sea spray on a straight path from the eye down to the sea, 1/km. It is not
+        /// Mean extinction coefficient of sea salt on a straight path from the eye down to the sea, 1/km. It is not
         /// in the tables of the sky, whose light near the horizon comes from far beyond it.
-        pub spray_extinction_per_km: f32,
+        pub salt_extinction_per_km: f32,
         /// Polar lattice of the water mesh: positions of its vertices before displacement.
         pub mesh_lattice: MeshLattice,
         /// Cascades of all drawn seas, then their ripple layers (shrunk copies of cascades); the rest is unused.
@@ -293,9 +293,9 @@ impl FrameUniform {
             bound_slope_factors: bound_slope_factors(bound.mean, sea.choppiness),
             breaker_direction: packed_direction(sea.downwind),
             water_at_eye: [(-view.eye.y) as f32, 0.0, 0.0],
-            spray_extinction_per_km: (look.sky.haze
-                * spray_extinction_per_km(sea.wind_m_s)
-                * mean_density_below(view.eye.y, SPRAY_SCALE_HEIGHT_M)) as f32,
+            salt_extinction_per_km: (look.sky.haze
+                * salt_extinction_per_km(sea.wind_m_s)
+                * mean_density_below(view.eye.y, SALT_SCALE_HEIGHT_M)) as f32,
             mesh_lattice: mesh.lattice,
             cascades: padded_array(cascades.chain(ripples)),
             foam_levels: padded_array(levels),
@@ -338,9 +338,9 @@ fn mean_density_below(eye_height_m: f64, scale_m: f64) -> f64 {
     -(-thickness).exp_m1() / thickness
 }
 
-/// Extinction coefficient of sea spray and moist salt close to the water, 1/km, at a wind speed. With the other aerosol,
+/// Extinction coefficient of sea salt and moist salt close to the water, 1/km, at a wind speed. With the other aerosol,
 /// one sees 20 km far in a fresh breeze and 5 km in a storm, as navy aerosol models and Beaufort's scale say.
-fn spray_extinction_per_km(wind_m_s: f64) -> f64 {
+fn salt_extinction_per_km(wind_m_s: f64) -> f64 {
     0.02 + 8e-4 * wind_m_s * wind_m_s
 }
 

@@ -11,7 +11,8 @@ use crate::waves::slopes::{self, SlopeVariance};
 /// Speed of low clouds divided by wind speed at 10 m, from a logarithmic wind profile up to the boundary layer's top.
 const CLOUD_SPEED_PER_WIND_SPEED: f64 = 1.4;
 
-/// Speed of large breaking crests divided by the phase speed of the waves at the peak of the spectrum.
+/// Speed of the large breaking crests that throw spray, divided by the phase speed of the waves at the peak of the
+/// spectrum. The mean of all fronts is slower (docs/design/foam.md).
 const BREAKER_SPEED_RATIO: f64 = 0.7;
 
 /// Everything that determines a picture besides the maps of the simulation.

@@ -8,6 +8,14 @@ pub const EARTH_RADIUS_M: f64 = 6_371_000.0;
 /// Distance from the eye to the near clipping plane, m.
 const NEAR_M: f64 = 0.1;
 
+/// Least height of a diving eye above the mean level of the bed, m.
+const BED_CLEARANCE_M: f64 = 0.4;
+
+/// Greatest depth of a diving eye below the still water, m, in water that is `depth_m` deep.
+pub fn deepest_dive_m(depth_m: f64) -> f64 {
+    (depth_m - BED_CLEARANCE_M).max(0.1)
+}
+
 /// Position, axes and field of view of a camera, from which the renderer takes its matrices. The renderer draws
 /// relative to the eye, so f32 suffices far from the world origin.
 #[derive(Clone, Copy, Debug, PartialEq)]

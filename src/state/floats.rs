@@ -3,7 +3,7 @@
 use super::field::choice_enum;
 use super::text::shortest_decimal;
 
-/// Largest number of floating objects  that a state string can hold.
+/// Largest number of floating objects that a state string can hold.
 pub const MAX_FLOATING_OBJECTS: usize = 16;
 
 choice_enum! {

@@ -83,7 +83,7 @@ pub const CAMERA_VIEWS: &[NamedView] = &[
 /// Horizontal position, heading and control mode are kept, but buoy mode becomes fly mode.
 fn standard_camera(p: &Params, y_m: f64, pitch_deg: f64, fov_deg: f64) -> Camera {
     let mode = if p.camera.mode == CameraMode::Buoy { CameraMode::Fly } else { p.camera.mode };
-    Camera { y_m, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
+    Camera { y_m, dive_m: 0.0, pitch_deg: pitch_deg.round(), fov_deg, mode, ..p.camera.clone() }
 }
 
 /// Replaces the camera in `params` by that of a named view such as "Deck".
@@ -92,10 +92,10 @@ pub fn set_named_view(params: &mut Params, view: &NamedView) {
 }
 
 /// Turns the camera at its place: its viewing direction to the right and upwards (negative: downwards) by the given
-/// angles, degrees. The pitch stays within -89 to 60, and under water to 89.
+/// angles, degrees. Above the water the pitch does not rise beyond 60, under water not beyond 89.
 pub fn rotate_camera(camera: &mut Camera, right_deg: f64, up_deg: f64) {
     camera.heading_deg = (camera.heading_deg + right_deg).rem_euclid(360.0);
-    let highest_deg = if camera.dive_m > 0.0 { 89.0 } else { 60.0 };
+    let highest_deg = if camera.dive_m > 0.0 { 89.0 } else { camera.pitch_deg.max(60.0) };
     camera.pitch_deg = (camera.pitch_deg + up_deg).clamp(-89.0, highest_deg);
 }
 
@@ -157,6 +157,9 @@ pub fn fly(camera: &mut Camera, right_m: f64, ahead_m: f64, up_m: f64) {
     let mut step = DVec3::new(ahead_m * sin + right_m * cos, up_m, right_m * sin - ahead_m * cos);
     if camera.dive_m > 0.0 || (up_m < 0.0 && camera.y_m <= MIN_EYE_HEIGHT_M) {
         camera.dive_m = (camera.dive_m - up_m).clamp(0.0, MAX_DIVE_M);
+        if camera.dive_m == 0.0 {
+            camera.y_m = MIN_EYE_HEIGHT_M;
+        }
         step.y = 0.0;
     }
     set_position(camera, DVec3::new(camera.x_m, camera.y_m, camera.z_m) + step);

@@ -127,7 +127,10 @@ pub fn show_bottom_sheet(app: &mut App, ui: &mut egui::Ui) {
     sheet.exact_size(SHEET_HEIGHT_RATIO * screen.height()).show_separator_line(false).show(ui, |ui| {
         enlarge_for_touch(ui);
         show_action_buttons(app, ui);
-        egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| show_tab(app, tab, ui));
+        egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            show_notices(app, ui);
+            show_tab(app, tab, ui);
+        });
     });
 }
 
@@ -147,6 +150,7 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
     window.show(ctx, |ui| {
         ui.set_width(PANEL_WIDTH_POINTS);
         show_tabs(app, ui);
+        show_notices(app, ui);
         let Some(tab) = app.panel.open_tab(false) else { return };
         show_action_buttons(app, ui);
         let height = screen.height() - 150.0;
@@ -191,7 +195,6 @@ fn tab_button(ui: &mut egui::Ui, tab: Tab, is_open: bool, size: egui::Vec2) -> e
 }
 
 fn show_tab(app: &mut App, tab: Tab, ui: &mut egui::Ui) {
-    show_notices(app, ui);
     match tab {
         Tab::Seas => seas::show_presets(app, ui),
         Tab::Weather => weather::show_weather(app, ui),
@@ -259,7 +262,7 @@ fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
                 app.params.sea.seed = seed;
             }
         }
-        if action(ui, true, icons::SURPRISE, "Surprise me", "Another named sea.") {
+        if action(ui, true, icons::SURPRISE, "Surprise me", "A random named sea.") {
             app.open_random_preset();
         }
         if action(ui, true, icons::HELP, "Keys and gestures", "Keys and gestures (F1).") {

@@ -77,7 +77,7 @@ fn show_sky_file(params: &mut Params, ui: &mut egui::Ui) {
     let name = file.name.clone();
     ui.horizontal(|ui| {
         ui.label(name);
-        if ui.small_button("×").on_hover_text("Back to the built sky.").clicked() {
+        if ui.small_button("×").on_hover_text("Back to the computed sky.").clicked() {
             params.look.sky.file = None;
         }
     });

@@ -1,4 +1,4 @@
-//! The quiet line over the sea: its wind, its waves, the time, and how the picture keeps up.
+//! The text over the sea at the top left: wind, waves, time and frame rate.
 
 use super::super::App;
 use super::super::units::UnitScale;

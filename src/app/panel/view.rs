@@ -11,7 +11,7 @@ pub fn show_view(app: &mut App, ui: &mut egui::Ui) {
     ui.strong("Look from");
     show_camera_views(app, ui);
     ui.add_space(8.0);
-    ui.strong("Time");
+    ui.strong("Simulated time");
     time::show_time_controls(app, ui);
     ui.add_space(8.0);
     ui.strong("Afloat");

@@ -29,7 +29,7 @@ fn nothing(_: &Params) -> String {
 }
 
 const WIND_ROWS: [Row; 2] = [
-    Row { key: "fetch", label: "Blowing over", meaning: |_| "km of open water (fetch)".into() },
+    Row { key: "fetch", label: "Blowing over", meaning: |_| "of open water (fetch)".into() },
     Row { key: "dir", label: "Wind from", meaning: |p| compass_point(p.sea.first_system().from_deg).into() },
 ];
 const SWELL_ROWS: [Row; 3] = [
@@ -39,7 +39,11 @@ const SWELL_ROWS: [Row; 3] = [
 ];
 const SKY_ROWS: [Row; 4] = [
     Row { key: "sun", label: "Sun height", meaning: |p| time_of_light(p).into() },
-    Row { key: "sunaz", label: "Sun in the", meaning: |p| compass_point(p.look.sky.sun_azimuth_deg).into() },
+    Row {
+        key: "sunaz",
+        label: "Sun in the",
+        meaning: |p| compass_point(p.look.sky.sun_elevation_azimuth_deg()[1]).into(),
+    },
     Row { key: "clouds", label: "Clouds", meaning: nothing },
     Row { key: "cloudcover", label: "Cloud cover", meaning: nothing },
 ];
@@ -51,7 +55,7 @@ fn swell_length(period_s: f64) -> String {
 }
 
 fn time_of_light(p: &Params) -> &'static str {
-    match p.look.sky.sun_elevation_deg {
+    match p.look.sky.sun_elevation_azimuth_deg()[0] {
         x if x < -12.0 => "night",
         x if x < 0.0 => "dusk or dawn",
         x if x < 10.0 => "golden light",

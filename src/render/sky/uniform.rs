@@ -30,19 +30,17 @@ gpu_struct! {
 }
 
 impl FogUniform {
-    /// Fog and rain. Rain alone reaches to its own height. In fog it adds its extinction up to the fog's top.
+    /// Fog and rain in one layer, whose shape is the mean of theirs, weighted by their extinctions.
     fn new(look: &SkyLook) -> Self {
         let fog = 0.001 * look.fog_extinction_per_km;
-        let [start, scale_height, top] = if fog > 0.0 {
-            [look.fog_start_m, look.fog_scale_height_m, look.fog_top_m]
-        } else {
-            [0.0, RAIN_SCALE_HEIGHT_M, RAIN_TOP_M]
-        };
+        let rain = rain::extinction_per_m(look.rain_mm_h);
+        let rain_share = if rain > 0.0 { rain / (fog + rain) } else { 0.0 };
+        let mean = |of_fog: f64, of_rain: f64| (of_fog + rain_share * (of_rain - of_fog)) as f32;
         Self {
-            extinction_per_m: (fog + rain::extinction_per_m(look.rain_mm_h)) as f32,
-            start_m: start as f32,
-            scale_height_m: scale_height as f32,
-            top_m: top as f32,
+            extinction_per_m: (fog + rain) as f32,
+            start_m: mean(look.fog_start_m, 0.0),
+            scale_height_m: mean(look.fog_scale_height_m, RAIN_SCALE_HEIGHT_M),
+            top_m: mean(look.fog_top_m, RAIN_TOP_M),
         }
     }
 }

@@ -58,9 +58,9 @@ pub struct WaterLightVariant {
     is_lean: bool,
 }
 
-/// Elevation of the upper edge of the sun, degrees, below which there is no sunlight.
+/// Elevation of the sun's centre, degrees, below which its upper edge has set.
 const SUNSET_DEG: f64 = -0.9;
-/// Deviations of the slope beyond which water is too rare to cast shadows that one sees: one wave in 200 is steeper.
+/// Slope, in standard deviations, up to which water counts as casting shadows: 0.6 % of the surface is steeper.
 const SHADOW_DEVIATIONS: f64 = 2.5;
 
 /// Whether the sun is so low that some of the waves of the maps, with these slope variances, shade others.

@@ -81,7 +81,8 @@ parameters! {
         /// Height of the fog's top above the still water; below it the fog has its full density.
         fog_top_m: f64 = 20.0 => ("fogheight", "Fog top", "m", number(0.0, 2000.0)),
         /// Rain on the sea and in the air above it: 1 is light, 10 heavy, 50 a cloudburst. It hides what is far away and
-        /// roughens the water, but makes no clouds: `clouds=storm` or `overcast=1` suit it.
+        /// roughens the water, but makes no clouds: `clouds=storm` or `overcast=1` suit it. A camera under water sees no
+        /// drops.
         rain_mm_h: f64 = 0.0 => ("rain", "Rain", "mm/h", number(0.0, 100.0), "none"),
         /// Fraction of the area below clouds in which shafts of rain fall, seen at a distance; for clouds other than
         /// cirrus.

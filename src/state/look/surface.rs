@@ -144,6 +144,7 @@ parameters! {
         /// Height of the relief (bumps) of nearby foam; 1 is a few centimetres.
         relief: f64 = 1.0 => ("foamrelief", "Foam relief", "", number(0.0, 4.0), "flat"),
         /// Spray that the wind tears off breaking crests, above 12 m/s and more in a stronger wind; 1 is typical.
+        /// A camera under water sees none.
         spray: f64 = 0.0 => ("spray", "Spray", "", number(0.0, 1.0), "none"),
     }
 }
