@@ -64,7 +64,7 @@ impl HullWaves {
             heave_waves: StrongestWaves::for_height_error(plan, MAX_HEIGHT_ERROR_TO_HS * plan.hs_m()),
             tilt_waves: StrongestWaves::new(plan, TILT_WAVE_COUNT),
             upwind: plan.downwind.map(|d| -d),
-            wind_m_s: plan.sea.first_system().wind_m_s.into(),
+            wind_m_s: plan.sea.first_system().wind_m_s,
             still_water_level_m: plan.sea.still_water_level_m,
         }
     }

@@ -80,7 +80,7 @@ fn hull_and_deck(facets: &mut Vec<HullFacet>) {
     }
     let edge = |side: f64| CROSS_SECTIONS.map(|[z, half, deck, _]| DVec3::new(side * half, deck, z)).to_vec();
     let middle = CROSS_SECTIONS.map(|[z, _, deck, _]| DVec3::new(0.0, deck + 0.06, z)).to_vec();
-    smooth_sheet(facets, &[edge(1.0), middle.clone(), edge(-1.0)], |_| DECK);
+    smooth_sheet(facets, &[edge(1.0), middle, edge(-1.0)], |_| DECK);
     let [z, half, deck, low] = CROSS_SECTIONS[CROSS_SECTIONS.len() - 1];
     let rim = ROWS.map(|[up, out]| (out * half, low + up * (deck - low)));
     let across = |side: f64| rim.iter().map(|&(x, y)| DVec3::new(side * x, y, z)).collect::<Vec<_>>();
