@@ -451,6 +451,8 @@ async function boot() {
     program.catch(() => {}); // awaited below
     await checkAdapter();
     const { glue, module } = await program;
+    // early.js has already said why this browser cannot show the page.
+    if (document.body.dataset.rung) return;
     say('Starting…');
     let handle;
     try {

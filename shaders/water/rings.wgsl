@@ -17,7 +17,7 @@ const RING_REACH = 0.36;
 // integral of 2 pi r cos^2 exp(-2 (r - r0)^2 / w^2) over r, with the fading over the life of a ring.
 const RING_SQUARE = 0.34;
 // Amplitude of the slope of the steepest rings.
-const RING_HIGHEST_SLOPE = 0.4;
+const RING_HIGHEST_SLOPE = 0.8;
 
 // Slope by the rings of a layer at an undisplaced position, for rings of amplitude 1.
 fn ring_layer_slope(layer: u32, at: vec2f) -> vec2f {
