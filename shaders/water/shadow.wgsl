@@ -73,7 +73,7 @@ fn shadow_displacement(copies: ptr<function, ShadowCopies>, off: vec2f, log_size
     }
     own *= share;
     sum += own;
-    bound_m += dot(own, 0.5 * map.bound_own.yxy * own + longer);
+    bound_m += dot(own, map.bound_own.yxy * (0.5 * own) + longer);
     longer += map.bound_with_shorter.yxy * own;
   }
   sum.y += bound_m;

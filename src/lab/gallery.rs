@@ -38,8 +38,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Calm at dawn",
         description: "Beaufort 1 with a very low swell under cirrus: the water mirrors the sky just after sunrise.",
-        state: "v=2&spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&clouds=cirrus&cloudcover=0.4\
-                &glints=1&gusts=1&bloom=0.04&y=3&heading=62&pitch=3&t=40&afloat=yacht*76*-36",
+        state: "v=2&spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&clouds=cirrus&cloudcover=0.4&glints=1\
+                &gusts=1&bloom=0.04&y=3&heading=62&pitch=3&t=40&afloat=yacht*76*-36",
     },
     GalleryPicture {
         title: "Trade wind",
@@ -52,40 +52,39 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Gale",
         description: "Beaufort 9 over 500 km of water: a breaker topples in front of the camera, spray blows \
                       off its crest.",
-        state: "v=2&wind=22&fetch=500&dir=250&spray=1&sunaz=150&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1\
+        state: "v=2&wind=22&fetch=500&dir=250&sunaz=150&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&spray=1\
                 &bloom=0.04&y=4&heading=244&pitch=-2&fov=45&t=51.2",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
         description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough.",
-        state: "v=2&wind=26&fetch=750&dir=270&spray=1&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7\
-                &glints=1&gusts=1&bloom=0.04&y=3&heading=261&pitch=2&fov=22&t=43",
+        state: "v=2&wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1&gusts=1\
+                &spray=1&bloom=0.04&y=3&heading=261&pitch=2&fov=22&t=43",
     },
     GalleryPicture {
         title: "Spindrift",
         description: "Beaufort 10 against a low sun: the wind tears spray off the crests.",
-        state: "v=2&wind=26&fetch=500&dir=250&spray=1&sun=10&sunaz=228&clouds=stratocumulus&cloudcover=0.3\
-                &glints=1&gusts=1&bloom=0.04&y=3.5&heading=225&pitch=1&fov=40&t=20",
+        state: "v=2&wind=26&fetch=500&dir=250&sun=10&sunaz=228&clouds=stratocumulus&cloudcover=0.3&glints=1&gusts=1\
+                &spray=1&bloom=0.04&y=3.5&heading=225&pitch=1&fov=40&t=20",
     },
     GalleryPicture {
         title: "Long swell",
         description: "A swell of four metres and fourteen seconds from a distant storm, under a light breeze.",
-        state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=9&sunaz=250&haze=0.5\
-                &clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=5&heading=285&pitch=0&fov=35&t=52\
-                &afloat=yacht*-150*-35",
+        state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=9&sunaz=250&haze=0.5&clouds=cirrus\
+                &glints=1&gusts=1&bloom=0.04&y=5&heading=285&pitch=0&fov=35&t=52&afloat=yacht*-150*-35",
     },
     GalleryPicture {
         title: "Golden hour",
         description: "A low sun behind a yacht: waves shade each other, and the crests between carry the light.",
-        state: "v=2&wind=10&sun=5&sunaz=200&clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=3&heading=200&pitch=-1\
-                &t=40&afloat=yacht*-18*70",
+        state: "v=2&wind=10&sun=5&sunaz=200&clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=3&heading=200&pitch=-1&t=40\
+                &afloat=yacht*-18*70",
     },
     GalleryPicture {
         title: "Under water",
         description: "Six metres down: Snell's window in the waves, total reflection around it, and shafts of \
                       sunlight.",
-        state: "v=2&wind=5&fetch=50&sun=42&sunaz=40&clouds=cumulus&glints=1&gusts=1&bloom=0.04&dive=6&pitch=38\
-                &fov=85&t=10",
+        state: "v=2&wind=5&fetch=25&sun=42&sunaz=40&clouds=cumulus&glints=1&gusts=1&bloom=0.04&dive=6&pitch=38&fov=85\
+                &t=10",
     },
     GalleryPicture {
         title: "At the waterline",
@@ -96,8 +95,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Rain",
         description: "A cloudburst from a closed deck: streaks and splashes of drops, and a veil before the horizon.",
-        state: "v=2&wind=7&fetch=60&sun=35&sunaz=350&clouds=storm&cloudcover=0.9&rain=60&glints=1&gusts=1\
-                &bloom=0.04&y=2&heading=10&pitch=-6&t=40",
+        state: "v=2&wind=7&fetch=50&sun=35&sunaz=350&clouds=storm&cloudcover=0.9&rain=60&glints=1&gusts=1&bloom=0.04\
+                &y=2&heading=10&pitch=-6&t=40",
     },
     GalleryPicture {
         title: "Shallow tropical water",
@@ -108,8 +107,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Dusk",
         description: "The sun has just set behind scattered clouds.",
-        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&glints=1&gusts=1&bloom=0.04&y=4\
-                &heading=290&pitch=2&t=40&afloat=yacht*-85*-18",
+        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&glints=1&gusts=1&bloom=0.04&y=4&heading=290\
+                &pitch=2&t=40&afloat=yacht*-85*-18",
     },
     GalleryPicture {
         title: "Close to the ripples",

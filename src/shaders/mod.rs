@@ -29,7 +29,7 @@ impl SourcePart {
 
 macro_rules! part {
     ($file:literal) => {
-        SourcePart::File(include_str!(concat!("../../shaders/", $file)))
+        SourcePart::File(include_str!(concat!(env!("OUT_DIR"), "/shaders/", $file)))
     };
 }
 
@@ -108,8 +108,8 @@ const UNDER: SourcePart =
     SourcePart::Group(&[part!("water/medium.wgsl"), part!("water/ceiling.wgsl"), part!("water/floor.wgsl")]);
 
 /// WGSL type of a map texel in a storage buffer, with half floats; `MAP_TEXEL_FLOAT` is the type with 32-bit floats.
-const MAP_TEXEL_HALF: &str = include_str!("../../shaders/waves/map_texel_half.wgsl");
-const MAP_TEXEL_FLOAT: &str = include_str!("../../shaders/waves/map_texel_float.wgsl");
+const MAP_TEXEL_HALF: &str = include_str!(concat!(env!("OUT_DIR"), "/shaders/waves/map_texel_half.wgsl"));
+const MAP_TEXEL_FLOAT: &str = include_str!(concat!(env!("OUT_DIR"), "/shaders/waves/map_texel_float.wgsl"));
 
 /// Name of each shader module, and the parts that are joined to its WGSL text. The last part holds the entry points;
 /// the module has the name of that part's file, without `.wgsl`.
