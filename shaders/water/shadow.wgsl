@@ -74,7 +74,7 @@ fn shadow_displacement(copies: ptr<function, ShadowCopies>, off: vec2f, log_size
     own *= share;
     sum += own;
     bound_m += dot(own, map.bound_own.yxy * (0.5 * own) + longer);
-    longer += map.bound_with_shorter.yxy * own;
+    longer += own * map.bound_with_shorter.yxy;
   }
   sum.y += bound_m;
   return sum * vec3f(frame.choppiness.x, 1.0, frame.choppiness.y);

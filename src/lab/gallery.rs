@@ -89,8 +89,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "At the waterline",
         description: "Half of the lens is under water, over three metres of rippled sand with caustics.",
-        state: "v=2&wind=3&fetch=10&depth=3&sun=50&sunaz=80&clouds=cumulus&water=ib&glints=1&gusts=1&bloom=0.04\
-                &dive=0.03&heading=20&pitch=-4&fov=75&t=4.3",
+        state: "v=2&wind=3&fetch=10&depth=3&sun=50&sunaz=80&clouds=cumulus&glints=1&gusts=1&bloom=0.04\
+                &dive=0.03&heading=20&fov=75&t=4.3",
     },
     GalleryPicture {
         title: "Rain",
