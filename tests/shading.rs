@@ -783,8 +783,8 @@ const FAULTS: &[Fault] = &[
     Fault(
         "J1: J_xz = 1 + dDx/dz",
         &[(
-            "waves.sums = carried;\n  // Covariance of the slopes",
-            "waves.sums = carried;\n  waves.sums.shear += vec2f(1.0);\n  // Covariance of the slopes",
+            "waves.variance = frame.residual_slope_covariance;\n  if WATER_GUSTS",
+            "waves.variance = frame.residual_slope_covariance;\n  waves.sums.shear += vec2f(1.0);\n  if WATER_GUSTS",
         )],
         "mean jacobian off 1",
     ),
