@@ -783,8 +783,8 @@ const FAULTS: &[Fault] = &[
     Fault(
         "J1: J_xz = 1 + dDx/dz",
         &[(
-            "waves.variance = frame.residual_slope_covariance;\n  if WATER_GUSTS",
-            "waves.variance = frame.residual_slope_covariance;\n  waves.sums.shear += vec2f(1.0);\n  if WATER_GUSTS",
+            "waves.sums = carried;\n  waves.variance",
+            "waves.sums = carried;\n  waves.sums.shear += vec2f(1.0);\n  waves.variance",
         )],
         "mean jacobian off 1",
     ),
