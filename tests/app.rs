@@ -540,7 +540,7 @@ fn the_sheet_of_a_phone_opens_and_closes_with_a_tap_and_leaves_the_sea_visible()
     let closed = harness.state().picture_size();
     for _ in 0..2 {
         open_tab(&mut harness, "Weather");
-        // Its widgets are large enough for a finger.
+        // The widgets of the sheet are at least 44 points high, so that fingers hit them.
         for label in ["Weather", "Undo", "Reset", "Beaufort", "Wind speed"] {
             let rect = harness.get_by_label(label).rect();
             assert!(rect.height() >= 44.0 && rect.top() > 0.5 * 844.0, "{label}: {rect:?}");

@@ -23,7 +23,7 @@ struct RainFragment {
   @builtin(position) clip: vec4f,
   // Position in the quad, -1 to 1.
   @location(0) at: vec2f,
-  // Radiance behind the air, and opacity.
+  // Radiance, and opacity.
   @location(1) @interpolate(flat) light: vec4f,
 }
 
@@ -89,8 +89,7 @@ fn rain_splash(i: u32) -> RainQuad {
 @vertex
 fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -> RainFragment {
   var out: RainFragment;
-  // All corners of a drop that is not seen lie outside of the picture.
-  out.clip = vec4f(2.0, 2.0, 2.0, 1.0);
+  out.clip = DROP_UNSEEN;
   var quad: RainQuad;
   if i < rain.drops {
     quad = rain_drop(i);
@@ -100,17 +99,12 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   if quad.opacity < 0.003 || dot(quad.middle, frame.forward) < 0.2 {
     return out;
   }
-  let index = corner % 6u;
-  let x = select(-1.0, 1.0, index == 1u || index == 3u || index == 4u);
-  let y = select(-1.0, 1.0, index == 2u || index > 3u);
-  let point = quad.middle + quad.along * x + quad.across * y;
+  let at = drop_corner(corner);
+  let point = quad.middle + quad.along * at.x + quad.across * at.y;
   out.clip = frame.clip_from_relative * vec4f(point, 1.0);
-  out.at = vec2f(x, y);
+  out.at = at;
   let dir = normalize(quad.middle);
-  var sun = light.sun_irradiance * step(-0.02, frame.sun_direction.y);
-  if clouds.height_km > 0.0 {
-    sun *= cloud_sun_transmittance(quad.middle.xz, 5.0);
-  }
+  let sun = drop_sunlight(quad.middle.xz);
   let forwards = RAIN_FORWARD_SHARE * atm_henyey_greenstein(dot(dir, frame.sun_direction), RAIN_ASYMMETRY);
   out.light = vec4f(min(sun * forwards + light.sky_irradiance * RAIN_SKY_SHARE, vec3f(6e4)), quad.opacity);
   return out;

@@ -114,10 +114,7 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
 
 // Radiance of spray that the optical depth makes opaque, before the air in front of it.
 fn spray_radiance(dir: vec3f, place: vec2f) -> vec3f {
-  var sun = light.sun_irradiance * step(-0.02, frame.sun_direction.y);
-  if clouds.height_km > 0.0 {
-    sun *= cloud_sun_transmittance(place, 5.0);
-  }
+  let sun = drop_sunlight(place);
   let forwards = SPRAY_FORWARD_SHARE * atm_henyey_greenstein(dot(dir, frame.sun_direction), SPRAY_ASYMMETRY);
   return sun * (forwards + SPRAY_EVEN_SUN) + light.sky_irradiance * SPRAY_EVEN_SKY;
 }
@@ -125,8 +122,7 @@ fn spray_radiance(dir: vec3f, place: vec2f) -> vec3f {
 @vertex
 fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -> SprayFragment {
   var out: SprayFragment;
-  // All corners of a puff that is not seen lie outside of the picture.
-  out.clip = vec4f(2.0, 2.0, 2.0, 1.0);
+  out.clip = DROP_UNSEEN;
   let level = i / (SPRAY_SIDE * SPRAY_SIDE);
   let step = vec2i(i32(i % SPRAY_SIDE), i32((i / SPRAY_SIDE) % SPRAY_SIDE));
   let grid = spray.levels[level];
@@ -154,9 +150,7 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let speed = max(length(seen), 1e-3);
   let along = seen / speed;
   let long_m = puff.radius_m * puff.stretch + 0.5 * SPRAY_EXPOSURE_S * speed;
-  let index = corner % 6u;
-  let x = select(-1.0, 1.0, index == 1u || index == 3u || index == 4u);
-  let at = vec2f(x, select(-1.0, 1.0, index == 2u || index > 3u));
+  let at = drop_corner(corner);
   let point = centre + along * (at.x * long_m) + cross(dir, along) * (at.y * puff.radius_m);
   let drop = dot(point.xz, point.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
   out.clip = frame.clip_from_relative * vec4f(point.x, point.y - drop, point.z, 1.0);
@@ -179,7 +173,8 @@ fn fragment(in: SprayFragment) -> @location(0) vec4f {
   let fine = textureSampleLevel(noise_map, noise_sampler, wide_at.yx * 2.7, in.noise_lod + 1.4).g;
   let scene_m = frame.clip_from_relative[3].z / max(textureLoad(depth_map, vec2i(in.clip.xy), 0), 1e-9);
   let free = saturate((scene_m - in.depth.x) / in.depth.y);
-  // Its square has more contrast. Fewer drops are told apart, the more of the noise lies within a pixel.
+  // The square of the noise has more contrast than the noise. It is divided by its mean, which falls to 1 as pixels grow
+  // and the mip levels of the noise become even.
   let noise = 4.0 * wide * fine;
   let clumped = noise * noise / mix(1.78, 1.0, saturate(0.25 * in.noise_lod));
   let opacity = 1.0 - exp(-in.light.w * inside * inside * clumped * free);

@@ -15,6 +15,15 @@ fn cloud_sun_transmittance(place: vec2f, log_size_m: f32) -> f32 {
   return textureSampleLevel(cloud_shadow_map, noise_sampler, along + clouds.shadow_offset, lod).r;
 }
 
+// Irradiance by the sun on a plane that faces it at `place` (see cloud_sun_transmittance), in shaders that have no variant
+// with and without clouds.
+fn cloud_sun_irradiance_at(place: vec2f, log_size_m: f32) -> vec3f {
+  if clouds.height_km > 0.0 {
+    return light.sun_irradiance * cloud_sun_transmittance(place, log_size_m);
+  }
+  return light.sun_irradiance;
+}
+
 // Irradiance by the sun on a plane that faces it at the point that is lit.
 fn cloud_sun_irradiance() -> vec3f {
   if SKY_CLOUD_SHADOWS {

@@ -7,7 +7,7 @@
 
 fn weather_random(cell: vec2i, period: i32, key: u32) -> vec4f {
   let wrapped = ((cell % period) + period) % period;
-  return vec4f(noise_pcg4d(vec4u(vec2u(wrapped), key, u32(period))) >> vec4u(8u)) / 16777216.0;
+  return noise_pcg4d_unit(vec4u(vec2u(wrapped), key, u32(period)));
 }
 
 // Gradient noise of mean 0 and standard deviation of about 0.25; `at` counts tiles.

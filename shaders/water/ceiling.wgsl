@@ -10,7 +10,8 @@ const CEILING_DISC_WIDENING = 17.0;
 // Fraction of the daylight above a layer of foam that comes out below.
 const CEILING_FOAM_TRANSMITTANCE = 0.4;
 
-// What a facet of the surface shows below.
+// Where the light comes from that an eye under water sees in a facet of the surface: refracted from above, or reflected
+// from below.
 struct CeilingFacet {
   // Direction above the surface from which refracted light comes, and whether there is one.
   above: vec3f,
@@ -18,7 +19,7 @@ struct CeilingFacet {
   reflectance: f32,
 }
 
-// What a facet of the normal `n` shows along `dir`, which points up to it from the water.
+// Refraction and reflection at a facet with the normal `n`, for a ray from the eye that goes up in the direction `dir`.
 fn ceiling_facet(dir: vec3f, n: vec3f) -> CeilingFacet {
   let index = material.relative_index;
   let cosine = dot(dir, n);

@@ -60,15 +60,13 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
     }
   }
   let up = 0.5 + 0.5 * n.y;
-  var sunlight = light.sun_irradiance;
-  if clouds.height_km > 0.0 {
-    sunlight *= cloud_sun_transmittance(in.position.xz, 0.0);
-  }
+  let sunlight = cloud_sun_irradiance_at(in.position.xz, 0.0);
   let sun_cosine = dot(n, frame.sun_direction);
   let sun = sunlight * max(sun_cosine, 0.0);
   let on_sea = light.sky_irradiance + sunlight * max(frame.sun_direction.y, 0.0);
   let facing_sun = dot(n.xz, normalize(frame.sun_direction.xz + vec2f(1e-6, 0.0)));
-  let around = light.sky_irradiance * (up * (1.0 + HULL_SKY_CONTRAST * facing_sun)) + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
+  let from_sky = light.sky_irradiance * (up * (1.0 + HULL_SKY_CONTRAST * facing_sun));
+  let around = from_sky + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
   let diffuse = mix(sun, sunlight * max(-sun_cosine, 0.0), through);
   // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);

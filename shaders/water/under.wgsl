@@ -1,6 +1,7 @@
-// What a diving eye sees: lights each pixel whose ray begins under water, and the line where the surface crosses the lens.
+// The picture of a camera under water: lights each pixel whose ray starts in the water, and draws the line where the
+// surface of the water crosses the lens.
 
-// It takes the place of slope_and_stretch_map (light.wgsl), which no entry point of this file reads.
+// The map of the light shafts has the binding of slope_and_stretch_map (light.wgsl), which no entry point here reads.
 @group(2) @binding(2) var shafts_map: texture_2d<f32>;
 
 // Height of the surface at the lens, m, as estimated from its slope, below which the sides of the mesh decide what a

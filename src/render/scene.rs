@@ -47,6 +47,12 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The time counted in periods of `period_s`, s: the whole number, which seeds random numbers, and the fraction.
+    pub fn moment(&self, period_s: f64) -> (u32, f32) {
+        let periods = self.t_s / period_s;
+        (periods.floor().rem_euclid(f64::from(u32::MAX)) as u32, periods.rem_euclid(1.0) as f32)
+    }
+
     /// Whether the eye is below the still water, or on a buoy below the moving water. Waves do not lift it then, and
     /// parts of the picture may show air.
     pub fn dives(&self) -> bool {

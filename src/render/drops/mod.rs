@@ -12,6 +12,7 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
+use crate::state::camera::View;
 use rain::RainUniform;
 use spray::SprayUniform;
 
@@ -25,6 +26,17 @@ const BLEND: wgpu::BlendState = wgpu::BlendState {
         operation: wgpu::BlendOperation::Add,
     },
 };
+
+/// A square grid of `side` x `side` cells of `cell_m`, m, which are anchored to the world. Its middle lies before the eye
+/// of `view`, at `ahead` sides of the grid. Returns the world index (x, z) of its first cell, and the corner of that cell
+/// relative to the point below the eye, m.
+fn grid_before_eye(view: &View, cell_m: f64, side: u32, ahead: f64) -> ([i32; 2], [f32; 2]) {
+    let below_eye = [view.eye.x, view.eye.z];
+    let heading = [view.right.z, -view.right.x];
+    let side = f64::from(side);
+    let first: [f64; 2] = std::array::from_fn(|i| (below_eye[i] / cell_m + (ahead * heading[i] - 0.5) * side).floor());
+    (first.map(|c| c as i32), std::array::from_fn(|i| (first[i] * cell_m - below_eye[i]) as f32))
+}
 
 /// One draw of quads, one for each drop or cloud of drops.
 struct DropPass<T> {

@@ -1,5 +1,6 @@
 //! Rain near the eye: the largest drops of a box before the eye as streaks, and splashes on the water.
 
+use super::grid_before_eye;
 use crate::gpu::layout::gpu_struct;
 use crate::optics::rain;
 use crate::render::scene::Scene;
@@ -22,6 +23,8 @@ const WIND_NEAR_WATER: f64 = 0.75;
 /// side, m.
 const SPLASH_SIDE: u32 = 64;
 const SPLASH_CELL_M: f64 = 0.2;
+/// Distance of the middle of the square of splashes before the eye, in sides of the square.
+const SPLASHES_AHEAD: f64 = 0.4;
 /// Diameter of drops from which a splash is seen, mm, and how long it lasts, s.
 const SPLASH_DIAMETER_MM: f64 = 2.0;
 const SPLASH_S: f64 = 0.16;
@@ -87,12 +90,8 @@ impl RainUniform {
             [place[0], place[1], place[2], 1e-3 * diameter_mm(class)].map(|x| x as f32)
         });
         let gain = rain::cover_share(rate, least_mm).recip().min(MOST_GAIN) as f32;
-        let heading = [view.right.z, -view.right.x];
-        let below_eye = [view.eye.x, view.eye.z];
-        let half_m = 0.5 * f64::from(SPLASH_SIDE) * SPLASH_CELL_M;
-        let first: [f64; 2] =
-            std::array::from_fn(|i| ((below_eye[i] + half_m * (0.8 * heading[i] - 1.0)) / SPLASH_CELL_M).floor());
-        let time = scene.t_s / SPLASH_S;
+        let (first_cell, corner) = grid_before_eye(view, SPLASH_CELL_M, SPLASH_SIDE, SPLASHES_AHEAD);
+        let (moment, moment_fraction) = scene.moment(SPLASH_S);
         let impacts = rain::impacts_per_m2_s(rate, SPLASH_DIAMETER_MM);
         Some(Self {
             classes,
@@ -102,12 +101,12 @@ impl RainUniform {
             }),
             middle: (view.forward * AHEAD_M).as_vec3().to_array(),
             box_m: BOX_M as f32,
-            first_cell: first.map(|c| c as i32),
-            corner: std::array::from_fn(|i| (first[i] * SPLASH_CELL_M - below_eye[i]) as f32),
+            first_cell,
+            corner,
             cell_m: SPLASH_CELL_M as f32,
             splash_share: (impacts * SPLASH_S * SPLASH_CELL_M * SPLASH_CELL_M).min(1.0) as f32,
-            moment: time.floor().rem_euclid(f64::from(u32::MAX)) as u32,
-            moment_fraction: time.rem_euclid(1.0) as f32,
+            moment,
+            moment_fraction,
             drops: drops.round() as u32,
             unused: [0; 3],
         })

@@ -1,6 +1,7 @@
 //! Spray of breaking crests: square grids of places, anchored to the world, from which puffs of drops come. Each place
 //! has one puff at a time; coarser grids with larger puffs follow farther from the eye.
 
+use super::grid_before_eye;
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::Scene;
 
@@ -76,23 +77,13 @@ impl SprayUniform {
         if share <= 0.0 || foam.coverage_factor <= 0.0 {
             return None;
         }
-        let below_eye = [view.eye.x, view.eye.z];
-        let heading = [view.right.z, -view.right.x];
         let levels = std::array::from_fn(|level| {
             let cell_m = FINEST_CELL_M * CELL_RATIO.powi(level as i32);
             let side_m = cell_m * f64::from(SIDE);
-            let first: [f64; 2] = std::array::from_fn(|i| {
-                ((below_eye[i] + AHEAD * side_m * heading[i]) / cell_m - 0.5 * f64::from(SIDE)).floor()
-            });
-            SprayLevel {
-                first_cell: first.map(|c| c as i32),
-                corner: std::array::from_fn(|i| (first[i] * cell_m - below_eye[i]) as f32),
-                cell_m: cell_m as f32,
-                reach_m: (REACH * side_m) as f32,
-                unused: [0; 2],
-            }
+            let (first_cell, corner) = grid_before_eye(view, cell_m, SIDE, AHEAD);
+            SprayLevel { first_cell, corner, cell_m: cell_m as f32, reach_m: (REACH * side_m) as f32, unused: [0; 2] }
         });
-        let time = scene.t_s / PUFF_S;
+        let (moment, moment_fraction) = scene.moment(PUFF_S);
         Some(Self {
             levels,
             downwind: sea.downwind.map(|x| x as f32),
@@ -100,8 +91,8 @@ impl SprayUniform {
             share: share as f32,
             breaker_speed_m_s: sea.breaker_speed_m_s as f32,
             puff_s: PUFF_S as f32,
-            moment: time.floor().rem_euclid(f64::from(u32::MAX)) as u32,
-            moment_fraction: time.rem_euclid(1.0) as f32,
+            moment,
+            moment_fraction,
         })
     }
 }

@@ -215,7 +215,7 @@ impl MaterialUniform {
         let wind_path_m = DVec2::from(scene.sea.downwind) * (scene.sea.wind_m_s * scene.t_s);
         let into_water = reflection.index_air / reflection.index_water;
         let contrast = into_water.powi(-2) - 1.0;
-        let (rain_mm_h, ring_time) = (scene.look.sky.rain_mm_h, scene.t_s / RING_S);
+        let (rain_mm_h, ring_moment) = (scene.look.sky.rain_mm_h, scene.moment(RING_S));
         let [sun_x, _, sun_z] = scene.look.sky.sun_direction();
         let sun_cosine = sun_x.hypot(sun_z);
         Self {
@@ -257,12 +257,12 @@ impl MaterialUniform {
             caustic_filter_m: scene.sea.caustic_filter_m as f32,
             index_contrast: [contrast, if contrast == 0.0 { 0.0 } else { contrast.recip() }].map(|x| x as f32),
             gust_strength: reflection.gusts as f32,
-            glint_moment: (scene.t_s / GLINT_MOMENT_S).floor().rem_euclid(f64::from(u32::MAX)) as u32,
+            glint_moment: scene.moment(GLINT_MOMENT_S).0,
             bed_cover_edges: bed_cover_edges(bed.cover),
             ring_origin: below_eye.to_array().map(|x| x.rem_euclid(RING_PERIOD_M) as f32),
             ring_period: below_eye.to_array().map(|x| x.div_euclid(RING_PERIOD_M) as i32),
-            ring_moment: ring_time.floor().rem_euclid(f64::from(u32::MAX)) as u32,
-            ring_moment_fraction: ring_time.rem_euclid(1.0) as f32,
+            ring_moment: ring_moment.0,
+            ring_moment_fraction: ring_moment.1,
             ring_share: (-rain::impacts_per_m2_s(rain_mm_h, RING_DIAMETER_MM) * RING_S * RING_CELL_M2).exp_m1().abs()
                 as f32,
             ring_slope_variance: rain::ring_slope_variance(rain_mm_h) as f32,
