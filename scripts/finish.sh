@@ -34,7 +34,8 @@ fi
 
 files=()
 for file in *; do
-  [ "$file" = index.html ] || files+=("$file")
+  # Folders hold what is fetched only when it is wanted.
+  [ "$file" = index.html ] || [ -d "$file" ] || files+=("$file")
 done
 
 sum=$(integrity index.html)

@@ -92,6 +92,7 @@ const UNSEEN: &[(&str, &str)] = &[
     ("pause", "whether it runs: tests/app.rs stops it"),
     ("ui", "the panel alone: tests/app.rs hides it"),
     ("units", "the panel alone: tests/app.rs changes them"),
+    ("lang", "the panel alone: tests/languages.rs changes it"),
     ("renderscale", "a window's pixels: tests/app.rs counts them"),
     ("adaptive", "a window's pixels: tests/app.rs lets it follow the time"),
     ("detail", "the light of a running sea: tests/app.rs lets it run"),

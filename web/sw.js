@@ -1,6 +1,6 @@
 // The service worker: keeps an offline copy of the page. boot.js registers it, except on development hosts.
 //
-// A copy holds all files of one version. Their names contain a hash of their content, so this file changes when one of
+// A copy holds all files of one version, and later the optional files (in folders) that were fetched once. Their names contain a hash of their content, so this file changes when one of
 // them changes. With a network, the page itself always comes from the network and asks for its own files by name and
 // checksum: an old page never loads a new program.
 
@@ -32,6 +32,19 @@ async function tidy() {
 
 const kept = async (name) => (await caches.open(COPY)).match(name);
 
+/** An optional file from the network, which is kept, or its offline copy. */
+async function optional(request) {
+  try {
+    const answer = await fetch(request);
+    if (answer.ok) await (await caches.open(COPY)).put(request, answer.clone());
+    return answer;
+  } catch (reason) {
+    const file = await kept(request);
+    if (file) return file;
+    throw reason;
+  }
+}
+
 /** The page from the network, or its offline copy if the network fails, is late or answers with a server error. */
 async function page(request) {
   const network = fetch(request);
@@ -58,5 +71,7 @@ addEventListener('fetch', (event) => {
     if (name === '' || name === 'index.html') event.respondWith(page(request));
   } else if (FILES.includes(name)) {
     event.respondWith(kept(name).then((file) => file ?? fetch(request)));
+  } else if (name.includes('/')) {
+    event.respondWith(optional(request));
   }
 });

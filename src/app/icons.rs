@@ -18,9 +18,15 @@ pub const HELP: &str = "\u{e082}";
 pub const LINK: &str = "\u{e102}";
 pub const PICTURE: &str = "\u{e0f6}";
 
-/// Adds the symbols to egui's fonts, for characters that the text fonts lack.
+/// Adds the symbols, and the names of Japanese and Chinese, to egui's fonts, for characters that the text fonts lack.
 pub fn install(ctx: &egui::Context) {
-    let data = egui::FontData::from_static(include_bytes!("../../assets/icons.ttf"));
-    let family = egui::FontFamily::Proportional;
-    ctx.add_font(FontInsert::new("icons", data, vec![InsertFontFamily { family, priority: FontPriority::Lowest }]));
+    let fonts: [(_, &[u8]); 2] = [
+        ("icons", include_bytes!("../../assets/icons.ttf")),
+        ("names of languages", include_bytes!("../../assets/languages/names.ttf")),
+    ];
+    for (name, bytes) in fonts {
+        let family = egui::FontFamily::Proportional;
+        let last = vec![InsertFontFamily { family, priority: FontPriority::Lowest }];
+        ctx.add_font(FontInsert::new(name, egui::FontData::from_static(bytes), last));
+    }
 }

@@ -10,6 +10,7 @@ mod gpu_errors;
 mod history;
 mod icons;
 pub mod keys;
+pub mod language;
 mod measurements;
 mod message;
 mod mooring;
@@ -63,6 +64,7 @@ pub struct App {
     own_seas: panel::OwnSeas,
     history: history::History,
     quality: quality::AdaptiveQuality,
+    languages: language::Languages,
     /// Whether the help window with the keyboard shortcuts is open.
     help_is_open: bool,
     message: Option<message::Message>,
@@ -133,6 +135,7 @@ impl App {
             own_seas,
             history: history::History::default(),
             quality,
+            languages: language::Languages::default(),
             help_is_open: false,
             message: None,
             drawn: None,
@@ -269,6 +272,9 @@ impl eframe::App for App {
         if self.gpu_errors.lost().is_some() {
             // egui-wgpu panics when it paints with a lost device; the host restarts the app on another device.
             return;
+        }
+        if let Err(reason) = self.languages.update(self.params.screen.language, &ctx) {
+            self.notices.push(reason);
         }
         self.handle_keys(&ctx);
         self.advance_time(&ctx);

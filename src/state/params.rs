@@ -129,6 +129,28 @@ choice_enum! {
 }
 
 choice_enum! {
+    /// Language of the interface.
+    pub enum Language {
+        /// The system's or the browser's language, if there is a translation, else English.
+        Auto = "auto",
+        /// English.
+        English = "en",
+        /// German.
+        German = "de",
+        /// French.
+        French = "fr",
+        /// Spanish.
+        Spanish = "es",
+        /// Portuguese.
+        Portuguese = "pt",
+        /// Japanese.
+        Japanese = "ja",
+        /// Simplified Chinese.
+        Chinese = "zh",
+    }
+}
+
+choice_enum! {
     /// Tier of the light of a running sea's water. A still and a reference always have the full one.
     pub enum Detail {
         /// The full tier, and the lean one while a GPU is too slow for 70 % of the picture's width and height.
@@ -147,6 +169,8 @@ parameters! {
         panel: bool = true => ("ui", "Panel", "", Flag),
         /// Units of the control panel: metric, or feet, nautical miles and knots. The state string is always metric.
         units: Units = Units::Metric => ("units", "Units", "", Choice(Units::WORDS)),
+        /// Language of the interface; auto is that of the system or the browser.
+        language: Language = Language::Auto => ("lang", "Language", "", Choice(Language::WORDS)),
         /// Rendered pixels per window pixel along each axis: below 1 is faster and softer, above 1 is smoother.
         render_scale: f64 = 1.0 => ("renderscale", "Render scale", "", number(0.25, 2.0)),
         /// Lowers the render resolution, and at its limit the FFT size, while frames take too long; raises both again

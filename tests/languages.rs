@@ -1,0 +1,133 @@
+//! The translations of the interface: each language has every text that the program can show, with the same places for
+//! values, and characters that the fonts can draw.
+
+use seastate::state::fields::FIELDS;
+use seastate::state::params::Language;
+use seastate::state::presets;
+use seastate::waves::beaufort::{BEAUFORT_FORCES, sea_state};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+type Translations = BTreeMap<String, String>;
+
+/// The Rust files of the app.
+fn app_sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("the app's sources").map(|entry| entry.expect("an entry").path());
+    entries.flat_map(|path| if path.is_dir() { app_sources(&path) } else { vec![path] }).collect()
+}
+
+/// The string literals that follow each `marker` in a source text.
+fn literals_after(source: &str, marker: &str) -> Vec<String> {
+    let starts = source.match_indices(marker).map(|(at, _)| at + marker.len());
+    starts.filter_map(|at| source[at..].trim_start().strip_prefix('"').map(unescape)).collect()
+}
+
+/// The value of a Rust string literal, given the source text after its opening quote.
+fn unescape(text: &str) -> String {
+    let (mut value, mut letters) = (String::new(), text.chars().peekable());
+    while let Some(letter) = letters.next() {
+        match letter {
+            '"' => return value,
+            '\\' => match letters.next().expect("an escaped character") {
+                'n' => value.push('\n'),
+                '\n' => while letters.next_if(|c| c.is_whitespace()).is_some() {},
+                'u' => {
+                    let code: String = letters.by_ref().skip(1).take_while(|&c| c != '}').collect();
+                    value.extend(u32::from_str_radix(&code, 16).ok().and_then(char::from_u32));
+                }
+                other => value.push(other),
+            },
+            other => value.push(other),
+        }
+    }
+    panic!("a string without an end: {text:.40}");
+}
+
+/// All English texts of the interface.
+fn english_texts() -> BTreeSet<String> {
+    let mut texts = BTreeSet::new();
+    for path in app_sources(Path::new("src/app")) {
+        let source = fs::read_to_string(&path).expect("a source file");
+        let source = source.split("#[cfg(test)]").next().unwrap_or_default();
+        for marker in [" tr(", "(tr(", "&tr(", "!tr(", "[tr(", "say!("] {
+            texts.extend(literals_after(source, marker));
+        }
+        // Tables of texts that are translated where they are shown.
+        for marker in ["text!("] {
+            texts.extend(literals_after(source, marker));
+        }
+    }
+    for field in FIELDS.iter() {
+        texts.extend([field.label, field.help, field.zero_word, field.group.label()].map(str::to_owned));
+    }
+    for force in &BEAUFORT_FORCES {
+        texts.extend([force.name.to_lowercase(), force.appearance.to_owned()]);
+    }
+    texts.extend((0..200).map(|i| sea_state(0.1 * f64::from(i)).1.to_owned()));
+    for preset in presets::built_in() {
+        texts.extend([preset.name.clone(), preset.about.clone()]);
+    }
+    texts.remove("");
+    texts
+}
+
+fn languages() -> impl Iterator<Item = (Language, Translations)> {
+    let translated = Language::ALL.into_iter().filter(|l| !matches!(l, Language::Auto | Language::English));
+    translated.map(|language| {
+        let path = format!("assets/languages/{}.json", language.word());
+        let text = fs::read_to_string(&path).expect("a language file");
+        (language, serde_json::from_str(&text).unwrap_or_else(|e| panic!("{path}: {e}")))
+    })
+}
+
+/// The places for values in a text, such as `{height}`.
+fn places(text: &str) -> BTreeSet<&str> {
+    text.split('{').skip(1).filter_map(|rest| rest.split_once('}')).map(|(name, _)| name).collect()
+}
+
+#[test]
+fn every_language_has_every_text() {
+    let english = english_texts();
+    assert!(english.len() > 200, "{} texts", english.len());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("languages");
+    fs::create_dir_all(&folder).expect("a folder");
+    let mut faults = Vec::new();
+    for (language, translations) in languages() {
+        let missing: Translations =
+            english.iter().filter(|e| !translations.contains_key(*e)).map(|e| (e.clone(), String::new())).collect();
+        let needless: Vec<_> = translations.keys().filter(|key| !english.contains(*key)).collect();
+        let path = folder.join(format!("{}-missing.json", language.word()));
+        fs::write(&path, serde_json::to_string_pretty(&missing).expect("JSON")).expect("a file");
+        if !(missing.is_empty() && needless.is_empty()) {
+            faults.push(format!("{}: {} texts are missing ({}); not used: {needless:?}",
+                language.word(), missing.len(), path.display()));
+        }
+        for (text, translation) in &translations {
+            assert_eq!(places(text), places(translation), "{}: {text}", language.word());
+            assert!(!translation.trim().is_empty(), "{}: {text}", language.word());
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn fonts_have_every_character() {
+    for (language, translations) in languages() {
+        let mut fonts = egui::FontDefinitions::default();
+        let mut add = |name: &str, bytes: Vec<u8>| {
+            fonts.font_data.insert(name.to_owned(), egui::FontData::from_owned(bytes).into());
+            fonts.families.entry(egui::FontFamily::Proportional).or_default().push(name.to_owned());
+        };
+        add("icons", fs::read("assets/icons.ttf").expect("the icons"));
+        if matches!(language, Language::Japanese | Language::Chinese) {
+            add("own", fs::read(format!("assets/languages/{}.ttf", language.word())).expect("the language's font"));
+        }
+        let mut fonts = egui::epaint::text::Fonts::new(Default::default(), fonts);
+        let font = egui::FontId::proportional(14.0);
+        let letters: BTreeSet<char> = translations.values().flat_map(|text| text.chars()).collect();
+        let mut view = fonts.with_pixels_per_point(1.0);
+        let missing: String = letters.into_iter().filter(|&c| c != '\n' && !view.has_glyph(&font, c)).collect();
+        assert!(missing.is_empty(), "{}: no glyphs for {missing}", language.word());
+    }
+}
