@@ -1,0 +1,148 @@
+//! The layout of the interface at the sizes of phones, tablets and screens: no text is cut, lies over another text, or
+//! leaves the window. The ignored test saves a picture of each state of the interface to look at.
+
+use egui::epaint::{ClippedShape, Shape};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use seastate::app::App;
+
+/// Sizes of windows, points, and pixels per point.
+const SIZES: [([f32; 2], f32); 9] = [
+    ([360.0, 640.0], 1.0),
+    ([390.0, 844.0], 2.0),
+    ([390.0, 844.0], 3.0),
+    ([640.0, 360.0], 1.0),
+    ([844.0, 390.0], 1.0),
+    ([768.0, 1024.0], 1.0),
+    ([1280.0, 720.0], 1.0),
+    ([1920.0, 1080.0], 1.0),
+    ([3840.0, 2160.0], 1.0),
+];
+/// Factors of the text's size that are checked, as browsers and systems zoom.
+const ZOOMS: [f32; 2] = [1.0, 1.5];
+/// Parts of the interface that are opened in turn.
+const TABS: [&str; 5] = ["Seas", "Weather", "View", "Study", "Share"];
+/// Most by which texts may touch: bounds of letters are a little larger than what one sees, points.
+const TOUCH_POINTS: f32 = 2.0;
+
+fn open(state: &str, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {
+    let state = state.to_owned();
+    let mut harness = Harness::builder()
+        .with_size(egui::Vec2::from(size))
+        .with_pixels_per_point(pixels_per_point)
+        .with_step_dt(1.0 / 60.0)
+        .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
+        .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
+    harness.run_steps(4);
+    harness
+}
+
+/// The visible texts of a frame: each with its bounds and the rectangle to which it is clipped.
+fn texts(shapes: &[ClippedShape]) -> Vec<(String, egui::Rect, egui::Rect)> {
+    let mut found = Vec::new();
+    let mut add = |shape: &Shape, clip: egui::Rect| {
+        if let Shape::Text(text) = shape {
+            let bounds = text.visual_bounding_rect();
+            if bounds.is_positive() && bounds.intersects(clip.shrink(1.0)) {
+                found.push((text.galley.text().to_owned(), bounds, clip));
+            }
+        }
+    };
+    for shape in shapes {
+        match &shape.shape {
+            Shape::Vec(parts) => parts.iter().for_each(|part| add(part, shape.clip_rect)),
+            one => add(one, shape.clip_rect),
+        }
+    }
+    found
+}
+
+/// What is wrong with the layout of a frame's texts.
+fn faults(shapes: &[ClippedShape], window: egui::Rect) -> Vec<String> {
+    let texts = texts(shapes);
+    let mut faults = Vec::new();
+    for (i, (text, bounds, clip)) in texts.iter().enumerate() {
+        // Lists scroll up and down, so only what is cut at the sides is a fault.
+        let room = clip.intersect(window).expand(TOUCH_POINTS);
+        if bounds.left() < room.left() || bounds.right() > room.right() {
+            faults.push(format!("{text:?} is cut: {bounds} of {room}"));
+        }
+        let seen = bounds.intersect(*clip).shrink(TOUCH_POINTS / 2.0);
+        for (other, at, other_clip) in &texts[i + 1..] {
+            if seen.is_positive() && at.intersect(*other_clip).shrink(TOUCH_POINTS / 2.0).intersects(seen) {
+                faults.push(format!("{text:?} at {bounds} lies over {other:?} at {at}"));
+            }
+        }
+    }
+    faults
+}
+
+/// Opens each part of the interface at each size, and passes it to `look` with its name.
+fn visit(zooms: &[f32], languages: &[&str], mut look: impl FnMut(&mut Harness<'static, App>, &str)) {
+    for (size, pixels_per_point) in SIZES {
+        for zoom in zooms.iter().copied() {
+            for language in languages {
+                let [width, height] = size;
+                let place = format!("{width}x{height}-at-{pixels_per_point}-zoom-{zoom}-{language}");
+                let mut harness = open(&format!("n=64&pause=1&lang={language}"), size, pixels_per_point * zoom);
+                harness.set_size(egui::vec2(width / zoom, height / zoom));
+                harness.run_steps(4);
+                look(&mut harness, &format!("{place}-start"));
+                for tab in TABS {
+                    if let Some(button) = harness.query_by_label(tab) {
+                        button.click_accesskit();
+                        harness.run_steps(6);
+                        look(&mut harness, &format!("{place}-{}", tab.to_lowercase()));
+                    }
+                }
+                harness.key_press(egui::Key::F1);
+                harness.run_steps(4);
+                look(&mut harness, &format!("{place}-keys"));
+            }
+        }
+    }
+}
+
+#[test]
+fn no_text_is_cut_or_covered() {
+    let mut found = Vec::new();
+    let mut looks = 0;
+    visit(&ZOOMS, &["en"], |harness, place| {
+        looks += 1;
+        // The list of keys lies over everything else.
+        if place.ends_with("keys") {
+            return;
+        }
+        let window = harness.ctx.content_rect();
+        found.extend(faults(&harness.output().shapes, window).into_iter().map(|fault| format!("{place}: {fault}")));
+    });
+    assert!(looks >= SIZES.len() * ZOOMS.len() * (TABS.len() + 2), "{looks}");
+    assert!(found.is_empty(), "{} faults:\n{}", found.len(), found.join("\n"));
+}
+
+/// The check finds a planted fault of each kind.
+#[test]
+fn the_check_finds_faults() {
+    let context = egui::Context::default();
+    let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+        let painter = ui.painter();
+        let colour = egui::Color32::WHITE;
+        for at in [[10.0, 10.0], [20.0, 12.0], [-10.0, 90.0]] {
+            painter.text(at.into(), egui::Align2::LEFT_TOP, "planted", egui::FontId::default(), colour);
+        }
+    });
+    let found = faults(&output.shapes, egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(200.0, 200.0)));
+    output.textures_delta.clear();
+    assert_eq!(found.len(), 2, "{found:?}");
+}
+
+#[test]
+#[ignore = "saves pictures to look at"]
+fn pictures_of_every_state() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("interface");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    visit(&[1.0], &["en"], |harness, place| {
+        let picture = harness.render().expect("a picture");
+        picture.save(folder.join(format!("{place}.png"))).expect("a file");
+    });
+}
