@@ -51,15 +51,8 @@ function mirrorOf(item, sea) {
       );
       return element;
     }
-    case 'Window':
-    case 'TitleBar':
-    case 'Image':
-    case 'ScrollView':
-    case 'ScrollBar':
-    case 'ProgressIndicator':
-      return document.createElement('p');
     default:
-      return button();
+      return item.clickable ? button() : document.createElement('p');
   }
 }
 

@@ -25,6 +25,8 @@ pub struct AccessibleItem {
     /// Whether a collapsible section is expanded; `None` for other widgets.
     pub expanded: Option<bool>,
     pub disabled: bool,
+    /// Whether a click does something.
+    pub clickable: bool,
     /// Bounds of the widget in points: x and y of its top left corner, width, height.
     pub bounds: [f64; 4],
 }
@@ -142,7 +144,9 @@ fn accessible_item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> O
     let by = || nodes.get(node.labelled_by().first()?).and_then(|by| by.label().or(by.value()));
     let label = node.label().or_else(by).unwrap_or_default().to_owned();
     let value = node.value().unwrap_or_default().to_owned();
-    if label.is_empty() && value.is_empty() || node.role() == Role::GenericContainer {
+    // Splitters are the edges by which a pointer resizes a window.
+    let is_silent = matches!(node.role(), Role::GenericContainer | Role::Splitter);
+    if label.is_empty() && value.is_empty() || is_silent {
         return None;
     }
     let known = |end: Option<f64>| end.filter(|x| x.is_finite());
@@ -158,6 +162,7 @@ fn accessible_item(id: NodeId, node: &Node, nodes: &HashMap<NodeId, &Node>) -> O
         checked: node.toggled().map(|t| t == Toggled::True),
         expanded: node.is_expanded(),
         disabled: node.is_disabled(),
+        clickable: node.supports_action(Action::Click),
         bounds,
     })
 }

@@ -114,7 +114,7 @@ impl WebHandle {
 
     /// Widgets and texts for screen readers: an array of objects in reading order, with `id`, `role` (AccessKit's
     /// name), `label`, `value` (text), `now`, `least`, `greatest`, `step` (numbers), `on` (of a check box), `open` (of
-    /// a section) and `disabled`. Empty until the frame after the first call.
+    /// a section), `disabled` and `clickable`. Empty until the frame after the first call.
     pub fn accessible_items(&self) -> js_sys::Array {
         self.items().iter().map(accessible_item_object).collect()
     }
@@ -237,6 +237,7 @@ fn accessible_item_object(item: &AccessibleItem) -> JsValue {
         ("on", item.checked.into()),
         ("open", item.expanded.into()),
         ("disabled", item.disabled.into()),
+        ("clickable", item.clickable.into()),
     ])
 }
 

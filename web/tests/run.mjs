@@ -11,17 +11,18 @@ import { ladder } from './ladder.mjs';
 import { losses } from './losses.mjs';
 import { odds } from './odds.mjs';
 import { offline } from './offline.mjs';
+import { readers } from './readers.mjs';
 import { sea } from './sea.mjs';
 import { serve } from './server.mjs';
 
 const USAGE = `usage: node run.mjs [--browser NAME] [--group NAME] [--only 'TEXT|TEXT'] [--dist DIR]
   --browser NAME  only chromium or firefox
-  --group NAME    only one group of tests: sea, explorer, losses, odds, offline or ladder
+  --group NAME    only one group of tests: sea, explorer, readers, losses, odds, offline or ladder
   --only TEXTS    only tests with one of these texts in their name
   --dist DIR      folder of the built page (default: dist)
 The native program must be built, too: target/debug/seastate, or the path in SEASTATE_BIN.`;
 
-const GROUPS = { sea, explorer, losses, odds, offline, ladder };
+const GROUPS = { sea, explorer, readers, losses, odds, offline, ladder };
 const top = fileURLToPath(new URL('../..', import.meta.url));
 const out = fileURLToPath(new URL('out', import.meta.url));
 
