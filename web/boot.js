@@ -259,11 +259,13 @@ function forgetLosses() {
 }
 
 /** Starts the program on a canvas. No answer within ADAPTER_SECONDS counts as a failure. */
-function start(handle, canvas) {
-  return Promise.race([
+async function start(handle, canvas) {
+  await Promise.race([
     handle.start(canvas),
     after(ADAPTER_SECONDS, () => new Error(`no device in ${ADAPTER_SECONDS} s`)),
   ]);
+  // The invisible fields that eframe adds to receive typed text need a name for screen readers.
+  for (const field of document.querySelectorAll('body > input')) field.setAttribute('aria-label', 'Typed text');
 }
 
 /**
