@@ -70,6 +70,11 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     shadow_sun_fraction = shadow_visible_sun(point.undisplaced, foot);
   }
 
+  if WATER_HULLS {
+    shadow_sun_fraction *=
+      hull_image_sunlight(hull_image_place(point.position, point.height), frame.pixel_angle / nearness);
+  }
+
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never
   // contains ripples, however fine it is.
@@ -90,7 +95,10 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if WATER_GLINTS {
     glints = WaterGlints(foot.length_m * foot.width_m, pixel);
   }
-  let mirror = water_mirror_among(v, slope, around, glints);
+  var mirror = water_mirror_among(v, slope, around, glints);
+  if WATER_HULLS {
+    mirror = hull_image_mirrored(mirror, hull_image_place(point.position, point.height), v, 1.0 / nearness, slope);
+  }
   // Viewing ray after refraction at the mean facet.
   let ray = water_refract(-v, n);
   var below = water_deep_radiance(n, ray, foam.plume);

@@ -91,6 +91,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     MIRRORED_MAP,
     part!("water/glints.wgsl"),
     part!("water/mirror.wgsl"),
+    part!("water/hull_image.wgsl"),
     part!("water/body.wgsl"),
     part!("water/crest.wgsl"),
     part!("water/bed.wgsl"),
