@@ -173,6 +173,12 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
   // The vertical turns by so little over the Earth's curve that `v` stays a unit vector.
   let rise = dir.y + dot(dir.xz, point.position.xz) / FRAME_EARTH_RADIUS_M;
   let v = vec3f(-dir.x, max(-rise, 1e-4), -dir.z);
+  var wake: Wake;
+  if WATER_HULLS {
+    wake = wake_at(point.position.xz, vec2f(long_m, frame.pixel_angle * distance_m));
+    slope.mean += wake.slope;
+    slope.variance *= wake.rough;
+  }
   let n = water_normal(slope.mean);
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
@@ -180,6 +186,9 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
   var foam: FoamAmount;
   if WATER_FOAM {
     foam = lean_foam_level(point.undisplaced, foot);
+    if WATER_HULLS {
+      foam = wake_add_foam(foam, wake);
+    }
   }
   if WATER_HULLS {
     shadow_sun_fraction = hull_image_sunlight(
@@ -196,10 +205,17 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
     below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
   below += lean_crest_radiance(n, ray, slope, point.height, foam.plume);
+  if WATER_HULLS {
+    below *= wake.open;
+  }
   let spread = material.inverse_relative_index * material.inverse_relative_index;
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
   if WATER_FOAM && foam.cover >= LEAN_MIN_FOAM {
-    let look = lean_foam(point.undisplaced, foot, foam);
+    var foam_at = point.undisplaced;
+    if WATER_HULLS {
+      foam_at -= wake.drift_m;
+    }
+    let look = lean_foam(foam_at, foot, foam);
     surface = mix(surface, foam_radiance(v, slope, look), look.cover);
   }
   let air = lean_air(dir, distance_m);

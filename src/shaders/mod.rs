@@ -97,6 +97,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/bed.wgsl"),
     part!("water/foam.wgsl"),
     part!("water/foam_light.wgsl"),
+    part!("water/wake.wgsl"),
     part!("water/rings.wgsl"),
     part!("water/water.wgsl"),
 ]);
