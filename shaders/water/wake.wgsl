@@ -61,7 +61,7 @@ fn wake_under_way(speed_m_s: f32, astern_m: f32, aside_m: f32, length_m: f32, ha
   var foam = 0.5 * strength * band * exp(-old / WAKE_FOAM_S);
   // The bow wave breaks along the edge, beside the hull and a little behind it.
   let crest = (aside_m - edge_m - 0.1) / (0.28 + 0.05 * behind_m + pixel.y);
-  foam = max(foam, 0.75 * strength * exp(-min(crest * crest + behind_m / (0.9 * speed_m_s), 40.0))
+  foam = max(foam, 0.95 * strength * exp(-min(crest * crest + behind_m / (1.2 * speed_m_s), 40.0))
     * smoothstep(-0.6, 0.3, astern_m));
   return vec4f(slope, foam, 1.0 - 0.75 * strength * band * exp(-old / (8.0 * WAKE_FOAM_S)));
 }

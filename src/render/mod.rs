@@ -20,6 +20,7 @@ pub use reference::{ReferenceRenderer, SampleGrid};
 pub use scene::{FadingSea, Scene, SeaAppearance};
 pub use targets::OutputKind;
 pub use water::bed::BedTexture;
+pub use water::hull_images::HullImages;
 pub use water::material::MaterialUniform;
 
 use crate::gpu::Gpu;
@@ -47,7 +48,7 @@ use targets::Targets;
 use views::{FalseColourPass, ViewTile, ViewUniform};
 use water::displace::MeshVertex;
 use water::eye::EyePass;
-use water::hull_images::{HullImage, HullImages, HullSection};
+use water::hull_images::{HullImage, HullSection};
 use water::hulls::{HullPass, HullVertex};
 use water::light::WaterPass;
 use water::material::NoiseLayer;

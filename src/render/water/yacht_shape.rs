@@ -222,7 +222,7 @@ fn sails(facets: &mut Vec<HullFacet>) {
     let jib = Sail {
         tack: DVec3::new(0.0, 1.5, -5.4),
         head: mast(13.2),
-        foot_m: 4.9,
+        foot_m: 4.15,
         chord_exponent: 1.0,
         angles_deg: [13.0, 34.0],
         camber: 0.14,
