@@ -106,6 +106,24 @@ fn water_tilt_projected_area(t: WaterTilt) -> vec2f {
   return vec2f(water_projected_area(t.height, t.across, t.mean, t.sigma), t.height + t.across * t.mean);
 }
 
+// Tilts of the facets that the eye sees, in deviations of all tilts: mean (x) and deviation (y); and the projected area
+// of the visible facets, divided by that deviation and the horizontal part of the direction (z). `low` is the tilt,
+// counted from the mean, below which facets are turned away from the eye. Gaussian slopes, weighted by projected area.
+fn water_visible_tilts(low: f32) -> vec3f {
+  // Farther in the tail, the moments would lose their precision.
+  let near = min(low, 3.0);
+  let a = -near;
+  let density = 0.39894228 * exp(-0.5 * min(a * a, 80.0));
+  // Upper tail of the normal distribution at |a|, divided by its density (Abramowitz and Stegun 26.2.17).
+  let t = 1.0 / (1.0 + 0.2316419 * abs(a));
+  let tail = t * (0.319381530 + t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
+  let share = select(density * tail, 1.0 - density * tail, a > 0.0);
+  let area = max(a * share + density, 1e-7);
+  let mean = share / area;
+  let square = 1.0 + density / area - mean * mean;
+  return vec3f(mean + (low - near), sqrt(max(square, 0.01)), area);
+}
+
 // Numbers of nodes of the quadrature over slopes. GGX has more, because its tails are long.
 const WATER_GAUSSIAN_NODES = 6;
 const WATER_GGX_NODES = 8;

@@ -16,17 +16,29 @@ struct HullFragment {
   @location(1) normal: vec3f,
   // Linear RGB of the paint; alpha is the fraction of the sunlight that shines through a sail.
   @location(2) colour: vec4f,
+  // Place on a sail, along the chord and up, or 0.
+  @location(3) cloth: vec2f,
+}
+
+// A square approximates the sRGB curve well enough for paint.
+fn hull_paint(packed: u32) -> vec4f {
+  let encoded = unpack4x8unorm(packed);
+  return vec4f(encoded.rgb * encoded.rgb, encoded.a);
+}
+
+// A position relative to the point of the still water below the eye, relative to the eye.
+fn hull_place(position: vec3f) -> vec3f {
+  let drop = dot(position.xz, position.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
+  return position - vec3f(0.0, drop + frame.eye_height_m, 0.0);
 }
 
 @vertex
 fn vertex(@builtin(vertex_index) i: u32) -> HullFragment {
   let hull = hull_vertices[i];
-  let drop = dot(hull.position.xz, hull.position.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
-  let place = hull.position - vec3f(0.0, drop + frame.eye_height_m, 0.0);
-  // A square approximates the sRGB curve well enough for paint.
-  let encoded = unpack4x8unorm(hull.colour);
-  let colour = vec4f(encoded.rgb * encoded.rgb, encoded.a);
-  return HullFragment(frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, colour);
+  let place = hull_place(hull.position);
+  return HullFragment(
+    frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, hull_paint(hull.colour),
+    unpack2x16unorm(hull.detail));
 }
 
 // Whether the ray to a point relative to the eye leaves the lens under water.
@@ -38,6 +50,9 @@ fn hull_seen_from_below(place: vec3f) -> bool {
 // Radiance of a hull that is seen through `distance_m` metres of water.
 fn hull_radiance_below(in: HullFragment, n: vec3f, dir: vec3f, distance_m: f32) -> vec3f {
   let eye_m = max(frame.water_at_eye.x, 0.02);
+  if SKY_CLOUD_SHADOWS {
+    cloud_sun_fraction = cloud_sun_transmittance(in.position.xz, 0.0);
+  }
   let daylight = medium_downwelling(max(eye_m - in.position.y, 0.0));
   // Light comes from all sides, most of it from above.
   let surface = in.colour.rgb * daylight * ((0.55 + 0.45 * n.y) / ATM_PI);
@@ -47,10 +62,39 @@ fn hull_radiance_below(in: HullFragment, n: vec3f, dir: vec3f, distance_m: f32) 
 // How much brighter than its mean the sky is on the side of the sun, and darker on the other, as a hull sees it.
 const HULL_SKY_CONTRAST = 0.6;
 
+// Number of seams between the panels of a sail, from foot to head.
+const HULL_SEAMS = 11.0;
+// Half the width of a seam relative to the distance of two, and of the tape along the edges relative to the chord.
+const HULL_SEAM_HALF = 0.03;
+const HULL_TAPE = 0.025;
+// Fractions of light that a doubled cloth takes from what shines through it, and from what it reflects.
+const HULL_DOUBLED = vec2f(0.32, 0.06);
+// How much more light a sail lets through straight than to the side.
+const HULL_SAIL_GLOW = 0.7;
+
+// Fraction of a pixel of the width `pixel` that a line of half the width `half` covers, at the distance `off`.
+fn hull_line_cover(off: f32, half: f32, pixel: f32) -> f32 {
+  return clamp((half - off) / pixel + 0.5, 0.0, min(2.0 * half / pixel, 1.0));
+}
+
+// Fraction of a pixel in which the cloth of a sail is doubled by seams and tapes. `pixel` is the pixel's size on the sail.
+fn hull_doubled_cloth(cloth: vec2f, pixel: vec2f) -> f32 {
+  let seam = abs(fract(cloth.y * HULL_SEAMS) - 0.5);
+  let seams = hull_line_cover(seam, HULL_SEAM_HALF, max(pixel.y * HULL_SEAMS, 1e-4));
+  let edge = min(cloth.x, 1.0 - cloth.x);
+  return max(seams, hull_line_cover(edge, HULL_TAPE, max(pixel.x, 1e-4)));
+}
+
 @fragment
 fn fragment(in: HullFragment) -> @location(0) vec4f {
   let distance_m = length(in.position);
   let dir = in.position / distance_m;
+  let pixel = fwidth(in.cloth);
+  var paint = in.colour;
+  if in.cloth.y > 0.0 {
+    let doubled = hull_doubled_cloth(in.cloth, pixel);
+    paint *= 1.0 - doubled * vec4f(vec3f(HULL_DOUBLED.y), HULL_DOUBLED.x);
+  }
   let through = in.colour.a;
   // The eye sees both sides of a sail.
   let n = normalize(in.normal) * select(1.0, -1.0, through > 0.0 && dot(in.normal, dir) > 0.0);
@@ -60,14 +104,19 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
     }
   }
   let up = 0.5 + 0.5 * n.y;
-  let sunlight = cloud_sun_irradiance_at(in.position.xz, 0.0);
+  if SKY_CLOUD_SHADOWS {
+    cloud_sun_fraction = cloud_sun_transmittance(in.position.xz, 0.0);
+  }
+  let sunlight = cloud_sun_irradiance();
   let sun_cosine = dot(n, frame.sun_direction);
   let sun = sunlight * max(sun_cosine, 0.0);
   let on_sea = light.sky_irradiance + sunlight * max(frame.sun_direction.y, 0.0);
   let facing_sun = dot(n.xz, normalize(frame.sun_direction.xz + vec2f(1e-6, 0.0)));
   let from_sky = light.sky_irradiance * (up * (1.0 + HULL_SKY_CONTRAST * facing_sun));
   let around = from_sky + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
-  let diffuse = mix(sun, sunlight * max(-sun_cosine, 0.0), through);
+  let straight = pow(max(dot(dir, frame.sun_direction), 0.0), 12.0);
+  let glow = 0.85 + HULL_SAIL_GLOW * straight;
+  let diffuse = sun * (1.0 - through) + sunlight * (max(-sun_cosine, 0.0) * paint.a * glow);
   // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);
   let sheen = 0.04 + 0.96 * pow(saturate(1.0 + dot(dir, n)), 5.0);
@@ -75,7 +124,57 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let half = normalize(frame.sun_direction - dir);
   let glint = 0.04 * 20.0 * pow(max(dot(n, half), 0.0), 160.0) * sun;
   let lacquer = select(0.5 * sheen * sky_there + glint / ATM_PI, vec3f(0.0), through > 0.0);
-  let surface = in.colour.rgb * (diffuse + around) / ATM_PI + lacquer;
+  let surface = paint.rgb * (diffuse + around) / ATM_PI + lacquer;
   let air = air_to_point(dir, distance_m);
   return frame_hdr_output(surface * air[1] + air[0], 1.0 / distance_m);
+}
+
+// Ropes and wires: quads at least as wide as a pixel, with the opacity of the fraction that the line covers.
+
+struct HullLineFragment {
+  @builtin(position) clip: vec4f,
+  @location(0) position: vec3f,
+  @location(1) along: vec3f,
+  @location(2) colour: vec3f,
+  // Distance from the middle, half the line's width, and the width of a pixel there, m.
+  @location(3) across: vec3f,
+}
+
+@vertex
+fn line_vertex(@builtin(vertex_index) i: u32) -> HullLineFragment {
+  let hull = hull_vertices[i];
+  let place = hull_place(hull.position);
+  let signed_half = bitcast<f32>(hull.detail);
+  let half = abs(signed_half);
+  let pixel_m = frame.pixel_angle * max(dot(place, frame.forward), 0.1);
+  let reach_m = half + 0.5 * pixel_m;
+  let turned = cross(hull.normal, place);
+  let side = turned * inverseSqrt(max(dot(turned, turned), 1e-9));
+  let at = place + side * (sign(signed_half) * reach_m);
+  return HullLineFragment(
+    frame.clip_from_relative * vec4f(at, 1.0), at, hull.normal, hull_paint(hull.colour).rgb,
+    vec3f(sign(signed_half) * reach_m, half, pixel_m));
+}
+
+@fragment
+fn line_fragment(in: HullLineFragment) -> @location(0) vec4f {
+  if HULL_DIVES {
+    if hull_seen_from_below(in.position) {
+      return vec4f(0.0);
+    }
+  }
+  if SKY_CLOUD_SHADOWS {
+    cloud_sun_fraction = cloud_sun_transmittance(in.position.xz, 0.0);
+  }
+  // A thin cylinder shows its lit and its dark side at once.
+  let l = frame.sun_direction;
+  let cosine = dot(l, in.along);
+  let distance_m = length(in.position);
+  let dir = in.position / distance_m;
+  let lit_side = 0.5 - 0.5 * dot(l - in.along * cosine, dir);
+  let sun = cloud_sun_irradiance() * (sqrt(max(1.0 - cosine * cosine, 0.0)) * 0.64 * saturate(lit_side));
+  let surface = in.colour * (sun + 0.5 * light.sky_irradiance) / ATM_PI;
+  let air = air_to_point(dir, distance_m);
+  let opacity = hull_line_cover(abs(in.across.x), in.across.y, in.across.z);
+  return vec4f(min(surface * air[1] + air[0], vec3f(6e4)) * opacity, opacity);
 }

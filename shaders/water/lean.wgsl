@@ -18,24 +18,6 @@ const LEAN_FILM = 0.45;
 // Opacity of old foam, film and body together.
 const LEAN_OLD_FOAM_OPACITY = 0.47;
 
-// Tilts of the facets that the eye sees, in deviations of all tilts: mean (x) and deviation (y); and the projected area
-// of the visible facets, divided by that deviation and the horizontal part of the direction (z). `low` is the tilt,
-// counted from the mean, below which facets are turned away from the eye. Gaussian slopes, weighted by projected area.
-fn lean_visible_tilts(low: f32) -> vec3f {
-  // Farther in the tail, the moments would lose their precision.
-  let near = min(low, 3.0);
-  let a = -near;
-  let density = 0.39894228 * exp(-0.5 * min(a * a, 80.0));
-  // Upper tail of the normal distribution at |a|, divided by its density (Abramowitz and Stegun 26.2.17).
-  let t = 1.0 / (1.0 + 0.2316419 * abs(a));
-  let tail = t * (0.319381530 + t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
-  let share = select(density * tail, 1.0 - density * tail, a > 0.0);
-  let area = max(a * share + density, 1e-7);
-  let mean = share / area;
-  let square = 1.0 + density / area - mean * mean;
-  return vec3f(mean + (low - near), sqrt(max(square, 0.01)), area);
-}
-
 // Radiance of the sky in the direction to the eye, mirrored by a facet of the slope `slope`.
 fn lean_mirrored_sky(v: vec3f, slope: vec2f, layer: f32) -> vec3f {
   return water_mirrored_sky(v, slope, v.y - dot(v.xz, slope), 1.0 + dot(slope, slope), layer);
@@ -91,7 +73,7 @@ fn lean_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
   let sigma = tilt_variance * over_sigma;
   let shear = dot(side, cov) * over_sigma;
   let side_variance = max(variance.x + variance.y - tilt_variance - shear * shear, 0.0);
-  let tilts = lean_visible_tilts(-(v.y * over_across + mean) * over_sigma);
+  let tilts = water_visible_tilts(-(v.y * over_across + mean) * over_sigma);
   let per_tilt = -(sigma * toward + shear * side);
   // Each node stands for a third of a Gaussian. A slope turns the mirrored ray by twice its angle.
   let layer = mirrored_sky_layer(LEAN_NODE_SPREAD * tilts.y * sigma);
@@ -191,6 +173,12 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
   // The vertical turns by so little over the Earth's curve that `v` stays a unit vector.
   let rise = dir.y + dot(dir.xz, point.position.xz) / FRAME_EARTH_RADIUS_M;
   let v = vec3f(-dir.x, max(-rise, 1e-4), -dir.z);
+  var wake: Wake;
+  if WATER_HULLS {
+    wake = wake_at(point.position.xz, vec2f(long_m, frame.pixel_angle * distance_m));
+    slope.mean += wake.slope;
+    slope.variance *= wake.rough;
+  }
   let n = water_normal(slope.mean);
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
@@ -198,8 +186,18 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
   var foam: FoamAmount;
   if WATER_FOAM {
     foam = lean_foam_level(point.undisplaced, foot);
+    if WATER_HULLS {
+      foam = wake_add_foam(foam, wake);
+    }
   }
-  let mirror = lean_mirror(v, slope);
+  if WATER_HULLS {
+    shadow_sun_fraction = hull_image_sunlight(
+      hull_image_place(point.position, point.height), frame.pixel_angle * distance_m);
+  }
+  var mirror = lean_mirror(v, slope);
+  if WATER_HULLS {
+    mirror = hull_image_mirrored(mirror, hull_image_place(point.position, point.height), v, distance_m, slope);
+  }
   let ray = water_refract(-v, n);
   var below = water_deep_radiance(n, ray, foam.plume);
   if WATER_BED {
@@ -207,10 +205,17 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
     below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
   below += lean_crest_radiance(n, ray, slope, point.height, foam.plume);
+  if WATER_HULLS {
+    below *= wake.open;
+  }
   let spread = material.inverse_relative_index * material.inverse_relative_index;
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
   if WATER_FOAM && foam.cover >= LEAN_MIN_FOAM {
-    let look = lean_foam(point.undisplaced, foot, foam);
+    var foam_at = point.undisplaced;
+    if WATER_HULLS {
+      foam_at -= wake.drift_m;
+    }
+    let look = lean_foam(foam_at, foot, foam);
     surface = mix(surface, foam_radiance(v, slope, look), look.cover);
   }
   let air = lean_air(dir, distance_m);

@@ -62,12 +62,23 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if WATER_RAIN {
     slope = ring_add(slope, point.undisplaced, foot.length_m);
   }
+  var wake: Wake;
+  if WATER_HULLS {
+    wake = wake_at(point.position.xz, vec2f(foot.length_m, foot.width_m));
+    slope.mean += wake.slope;
+    slope.variance *= wake.rough;
+  }
   let n = water_normal(slope.mean);
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
   }
   if WATER_SHADOWS && cloud_sun_fraction > 0.01 {
     shadow_sun_fraction = shadow_visible_sun(point.undisplaced, foot);
+  }
+
+  if WATER_HULLS {
+    shadow_sun_fraction *=
+      hull_image_sunlight(hull_image_place(point.position, point.height), frame.pixel_angle / nearness);
   }
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
@@ -85,12 +96,18 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   var foam: FoamAmount;
   if WATER_FOAM {
     foam = foam_level(point.undisplaced, foot);
+    if WATER_HULLS {
+      foam = wake_add_foam(foam, wake);
+    }
   }
   var glints: WaterGlints;
   if WATER_GLINTS {
     glints = WaterGlints(foot.length_m * foot.width_m, pixel);
   }
-  let mirror = water_mirror_among(v, slope, around, glints);
+  var mirror = water_mirror_among(v, slope, around, glints);
+  if WATER_HULLS {
+    mirror = hull_image_mirrored(mirror, hull_image_place(point.position, point.height), v, 1.0 / nearness, slope);
+  }
   // Viewing ray after refraction at the mean facet.
   let ray = water_refract(-v, n);
   var below = water_deep_radiance(n, ray, foam.plume);
@@ -101,11 +118,18 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if material.crest_transmission > 0.0 && point.height > 0.0 {
     below += water_crest_radiance(n, ray, slope, point.height, foam.plume);
   }
+  if WATER_HULLS {
+    below *= wake.open;
+  }
   // Radiance falls by the square of the relative refractive index, because rays spread when they leave the water.
   let spread = material.inverse_relative_index * material.inverse_relative_index;
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
   if WATER_FOAM && foam.cover >= FOAM_MIN_AMOUNT {
-    let look = foam_appearance(point.undisplaced, foot, foam);
+    var foam_at = point.undisplaced;
+    if WATER_HULLS {
+      foam_at -= wake.drift_m;
+    }
+    let look = foam_appearance(foam_at, foot, foam);
     if look.cover > FOAM_MIN_AMOUNT {
       surface = mix(surface, foam_radiance(v, slope, look), look.cover);
     }

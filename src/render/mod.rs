@@ -20,6 +20,7 @@ pub use reference::{ReferenceRenderer, SampleGrid};
 pub use scene::{FadingSea, Scene, SeaAppearance};
 pub use targets::OutputKind;
 pub use water::bed::BedTexture;
+pub use water::hull_images::HullImages;
 pub use water::material::MaterialUniform;
 
 use crate::gpu::Gpu;
@@ -47,6 +48,7 @@ use targets::Targets;
 use views::{FalseColourPass, ViewTile, ViewUniform};
 use water::displace::MeshVertex;
 use water::eye::EyePass;
+use water::hull_images::{HullImage, HullSection};
 use water::hulls::{HullPass, HullVertex};
 use water::light::WaterPass;
 use water::material::NoiseLayer;
@@ -60,6 +62,9 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     MeshLattice::DECLARATION,
     MeshVertex::DECLARATION,
     HullVertex::DECLARATION,
+    HullSection::DECLARATION,
+    HullImage::DECLARATION,
+    HullImages::DECLARATION,
     FrameCascade::DECLARATION,
     FrameFoamGrid::DECLARATION,
     FrameUniform::DECLARATION,
@@ -100,6 +105,7 @@ pub enum TimedPart {
 pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
+    hull_images: Uniform<HullImages>,
     bed: BedTexture,
     sky: SkyTables,
     noise: NoiseTexture,
@@ -124,10 +130,11 @@ impl Renderer {
         let shaders = shaders.clone().with_structs(SHARED_STRUCTS);
         let frame = Uniform::new(gpu, "frame");
         let material = Uniform::new(gpu, "material");
+        let hull_images = Uniform::new(gpu, "hull images");
         let noise = NoiseTexture::new(gpu);
         let sky = SkyTables::new(gpu, &shaders, &noise);
         let bed = BedTexture::new(gpu);
-        let scene = SceneGroup::new(gpu, &frame, &material, &sky, (&noise, &bed), output);
+        let scene = SceneGroup::new(gpu, &frame, (&material, &hull_images), &sky, (&noise, &bed), output);
         let background = BackgroundPass::new(gpu, &shaders);
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
@@ -141,6 +148,7 @@ impl Renderer {
         Self {
             frame,
             material,
+            hull_images,
             bed,
             sky,
             noise,
@@ -199,6 +207,9 @@ impl Renderer {
     /// Prepares a frame: writes the uniform buffers, selects the pipelines, binds the maps, sets water mesh and hulls.
     fn prepare_frame(&mut self, gpu: &Gpu, maps: &Maps, scene: &Scene, mesh: &Mesh, frame: &FrameUniform) {
         self.material.write(gpu, &MaterialUniform::new(scene));
+        if !scene.hulls.is_empty() {
+            self.hull_images.write(gpu, &HullImages::new(scene));
+        }
         self.frame.write(gpu, frame);
         if let Some(targets) = &self.targets {
             self.sky.prepare_clouds(gpu, scene, targets.size[0], &self.noise);

@@ -6,6 +6,7 @@ use super::sky::tables::SkyTables;
 use super::sky::uniform::{LightBuffer, SkyUniform};
 use super::targets::OutputKind;
 use super::water::bed::BedTexture;
+use super::water::hull_images::HullImages;
 use super::water::material::MaterialUniform;
 use super::water::noise::NoiseTexture;
 use crate::gpu::Gpu;
@@ -26,7 +27,7 @@ impl SceneGroup {
     pub fn new(
         gpu: &Gpu,
         frame: &Uniform<FrameUniform>,
-        material: &Uniform<MaterialUniform>,
+        (material, hull_images): (&Uniform<MaterialUniform>, &Uniform<HullImages>),
         sky: &SkyTables,
         (noise, bed): (&NoiseTexture, &BedTexture),
         output: OutputKind,
@@ -46,6 +47,7 @@ impl SceneGroup {
             BindingType::Uniform(size_of::<CloudView>()),
             BindingType::Texture,
             BindingType::Texture,
+            BindingType::Uniform(size_of::<HullImages>()),
         ];
         let layout = gpu.bind_group_layout("scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &bindings);
         let resources = [
@@ -63,6 +65,7 @@ impl SceneGroup {
             sky.clouds.view.buffer.as_entire_binding(),
             TextureView(&sky.clouds.shadow),
             TextureView(&bed.view),
+            hull_images.buffer.as_entire_binding(),
         ];
         Self { group: gpu.bind_group("scene", &layout, &resources), layout, output }
     }

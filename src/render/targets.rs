@@ -23,6 +23,17 @@ pub const DEPTH_TEST_OPAQUE: DepthState =
 /// Depth test of the sky (background): visible where nothing nearer was drawn; writes no depth.
 pub const DEPTH_TEST_BACKGROUND: DepthState = DepthState { writes_depth: false, ..DEPTH_TEST_OPAQUE };
 
+/// Drops and ropes hide what is behind them by their opacity. The alpha of the picture, from which the tone pass finds edges,
+/// stays that of what is behind.
+pub const BLEND_OVER: wgpu::BlendState = wgpu::BlendState {
+    color: wgpu::BlendComponent::OVER,
+    alpha: wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::Zero,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Add,
+    },
+};
+
 /// Use that is made of a picture; decides the precision of its linear light and whether its depth is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutputKind {

@@ -91,11 +91,13 @@ const WATER: SourcePart = SourcePart::Group(&[
     MIRRORED_MAP,
     part!("water/glints.wgsl"),
     part!("water/mirror.wgsl"),
+    part!("water/hull_image.wgsl"),
     part!("water/body.wgsl"),
     part!("water/crest.wgsl"),
     part!("water/bed.wgsl"),
     part!("water/foam.wgsl"),
     part!("water/foam_light.wgsl"),
+    part!("water/wake.wgsl"),
     part!("water/rings.wgsl"),
     part!("water/water.wgsl"),
 ]);

@@ -6,7 +6,7 @@ pub mod rain;
 pub mod spray;
 
 use super::scene::Scene;
-use super::targets::{DEPTH_TEST_BACKGROUND, OutputKind, Targets, attachments};
+use super::targets::{BLEND_OVER, DEPTH_TEST_BACKGROUND, OutputKind, Targets, attachments};
 use super::water::light::WaterPass;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
@@ -15,17 +15,6 @@ use crate::shaders::Shaders;
 use crate::state::camera::View;
 use rain::RainUniform;
 use spray::SprayUniform;
-
-/// Drops hide what is behind them by their opacity. The alpha of the picture, from which the tone pass finds edges,
-/// stays that of what is behind.
-const BLEND: wgpu::BlendState = wgpu::BlendState {
-    color: wgpu::BlendComponent::OVER,
-    alpha: wgpu::BlendComponent {
-        src_factor: wgpu::BlendFactor::Zero,
-        dst_factor: wgpu::BlendFactor::One,
-        operation: wgpu::BlendOperation::Add,
-    },
-};
 
 /// A square grid of `side` x `side` cells of `cell_m`, m, which are anchored to the world. Its middle lies before the eye
 /// of `view`, at `ahead` sides of the grid. Returns the world index (x, z) of its first cell, and the corner of that cell
@@ -55,7 +44,7 @@ impl<T: bytemuck::Pod> DropPass<T> {
         let layout = gpu.bind_group_layout(module, wgpu::ShaderStages::VERTEX_FRAGMENT, &bindings);
         let text = shaders.module(gpu, module);
         let format = water.scene.output.format();
-        let onto = AttachmentFormats { blend: Some(BLEND), ..attachments(&format, DEPTH_TEST_BACKGROUND) };
+        let onto = AttachmentFormats { blend: Some(BLEND_OVER), ..attachments(&format, DEPTH_TEST_BACKGROUND) };
         let layouts = [&water.scene.layout, water.maps_layout(), &layout];
         let pipeline = gpu.render_pipeline(module, &RenderProgram::new(&text), &layouts, &onto);
         Self { pipeline, layout, uniform: Uniform::new(gpu, module), group: None, quads: 0 }

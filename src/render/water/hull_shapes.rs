@@ -11,6 +11,24 @@ pub struct HullFacet {
     pub normals: [DVec3; 3],
     /// sRGB as 0xTTBBGGRR; TT is the fraction of the sunlight, in 255ths, that shines through a sail.
     pub colour: u32,
+    /// Place of each corner on a sail, as packed by [`cloth_place`], or 0.
+    pub cloth: [u32; 3],
+}
+
+/// A wire or rope of a floating object, in the axes of the hull, m.
+#[derive(Clone, Copy)]
+pub struct HullLine {
+    pub ends: [DVec3; 2],
+    pub half_width_m: f64,
+    /// Colour, as in [`HullFacet::colour`].
+    pub colour: u32,
+}
+
+/// Place on a sail as two 16-bit fractions: along the chord from the leading edge, and up from the foot (WGSL
+/// `unpack2x16unorm`).
+pub fn cloth_place([along, up]: [f64; 2]) -> u32 {
+    let [along, up] = [along, up].map(|x| (65_535.0 * x.clamp(0.0, 1.0)).round() as u32);
+    along | up << 16
 }
 
 /// Colour of yellow paint; the colour of each paint is as in [`HullFacet::colour`].
@@ -36,7 +54,7 @@ pub fn surface_of_revolution(profile: &[(f64, f64, u32)]) -> Vec<HullFacet> {
         for i in 0..LATHE_SIDES {
             let [a, b, c, d] = [at(r0, y0, i), at(r0, y0, i + 1), at(r1, y1, i + 1), at(r1, y1, i)];
             for [p, q, r] in [[a, b, c], [a, c, d]] {
-                facets.push(HullFacet { corners: [p.0, q.0, r.0], normals: [p.1, q.1, r.1], colour });
+                facets.push(HullFacet { corners: [p.0, q.0, r.0], normals: [p.1, q.1, r.1], colour, cloth: [0; 3] });
             }
         }
     }
@@ -95,7 +113,7 @@ pub fn boat_hull() -> Vec<HullFacet> {
         for [p, q, r] in [[a, b, c], [a, c, d]] {
             let normal = (q - p).cross(r - p);
             if normal.length_squared() > 1e-12 {
-                facets.push(HullFacet { corners: [p, q, r], normals: [normal.normalize(); 3], colour });
+                facets.push(HullFacet { corners: [p, q, r], normals: [normal.normalize(); 3], colour, cloth: [0; 3] });
             }
         }
     };

@@ -1,16 +1,18 @@
 //! Floating buoys, boats and yachts (shaders/water/hulls.wgsl): a few small hulls, whose vertices the CPU transforms.
 
-use super::hull_shapes::{HullFacet, boat_hull, buoy_hull};
-use super::yacht_shape::yacht_hull;
+use super::hull_shapes::{HullFacet, HullLine, boat_hull, buoy_hull};
+use super::yacht_shape::{yacht_hull, yacht_lines};
 use crate::gpu::Gpu;
-use crate::gpu::kit::{BindingType, RenderProgram};
+use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
 use crate::gpu::layout::gpu_struct;
+use crate::point::floating::HullPose;
 use crate::render::scene::Scene;
 use crate::render::scene_group::SceneGroup;
-use crate::render::targets::{DEPTH_TEST_OPAQUE, attachments};
+use crate::render::targets::{BLEND_OVER, DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, OutputKind, attachments};
 use crate::render::variants::{PipelineVariants, switch_constant};
 use crate::shaders::Shaders;
 use crate::state::floats::{FloatingObjectKind, MAX_FLOATING_OBJECTS};
+use crate::state::look::CloudKind;
 use glam::{DMat3, DVec3};
 
 gpu_struct! {
@@ -20,21 +22,36 @@ gpu_struct! {
         position: [f32; 3],
         /// Paint colour, as in `HullFacet`.
         colour: u32,
+        /// Unit normal; for a line, the unit vector along it.
         normal: [f32; 3],
-        unused: u32,
+        /// Place on a sail (`HullFacet::cloth`); for a line, the bits of half its width, m, negative on one side.
+        detail: u32,
     }
+}
+
+/// What a variant of the pipelines of hulls can draw.
+#[derive(Clone, Copy, PartialEq)]
+struct HullVariant {
+    /// Whether the eye dives, so that it may see hulls through water.
+    dives: bool,
+    /// Whether volumetric clouds shade the hulls.
+    cloud_shadows: bool,
 }
 
 /// The pass that draws floating objects.
 pub struct HullPass {
     module: wgpu::ShaderModule,
-    /// Render pipelines, for an eye above the water and for one that dives; compiled when something floats.
-    pipelines: PipelineVariants<bool>,
+    /// Render pipelines of the hulls and of their ropes and wires; compiled when something floats.
+    pipelines: PipelineVariants<HullVariant>,
+    line_pipelines: PipelineVariants<HullVariant>,
     layout: wgpu::BindGroupLayout,
     vertices: Option<(wgpu::Buffer, wgpu::BindGroup)>,
     /// Triangles of each kind of object, in the order of [`FloatingObjectKind::ALL`].
     hulls: [Vec<HullFacet>; FloatingObjectKind::ALL.len()],
+    lines: Vec<HullLine>,
+    /// Numbers of vertices of the hulls and of the lines, which follow them in the buffer.
     vertex_count: u32,
+    line_vertex_count: u32,
 }
 
 impl HullPass {
@@ -45,61 +62,76 @@ impl HullPass {
             wgpu::ShaderStages::VERTEX,
             &[BindingType::StorageRead(size_of::<HullVertex>())],
         );
-        let module = shaders.module(gpu, "water/hulls");
         let hulls = FloatingObjectKind::ALL.map(|kind| match kind {
             FloatingObjectKind::Buoy => buoy_hull(),
             FloatingObjectKind::Boat => boat_hull(),
             FloatingObjectKind::Yacht => yacht_hull(),
         });
-        Self { module, pipelines: PipelineVariants::default(), layout, vertices: None, hulls, vertex_count: 0 }
+        Self {
+            module: shaders.module(gpu, "water/hulls"),
+            pipelines: PipelineVariants::default(),
+            line_pipelines: PipelineVariants::default(),
+            layout,
+            vertices: None,
+            hulls,
+            lines: yacht_lines(),
+            vertex_count: 0,
+            line_vertex_count: 0,
+        }
     }
 
     /// Uploads the triangles of the hulls of a scene. Uploaded positions are relative to the point of the still water
     /// below the eye.
     pub fn upload_hulls(&mut self, gpu: &Gpu, group: &SceneGroup, scene: &Scene) {
         let poses = &scene.hulls;
-        self.vertex_count = 0;
+        (self.vertex_count, self.line_vertex_count) = (0, 0);
         if poses.is_empty() {
             return;
         }
-        let level_m = scene.sea.still_water_level_m;
-        let below_eye = [scene.view.eye.x, scene.view.eye.z];
-        let mut vertices = Vec::new();
+        let (mut vertices, mut lines) = (Vec::new(), Vec::new());
         for pose in poses {
-            let [up, ahead] = [pose.up, pose.forward].map(DVec3::from_array);
-            let turn = DMat3::from_cols(ahead.cross(up), up, -ahead);
-            let origin = DVec3::new(
-                pose.position_m[0] - below_eye[0],
-                pose.position_m[1] - level_m,
-                pose.position_m[2] - below_eye[1],
-            );
-            let hull = &self.hulls[pose.kind as usize];
-            vertices.extend(hull.iter().flat_map(|facet| (0..3).map(move |i| (facet, i))).map(|(facet, i)| {
-                HullVertex {
-                    position: (origin + turn * facet.corners[i]).as_vec3().to_array(),
-                    colour: facet.colour,
-                    normal: (turn * facet.normals[i]).as_vec3().to_array(),
-                    unused: 0,
-                }
-            }));
+            let axes = HullAxes::new(pose, scene);
+            vertices.extend(self.hulls[pose.kind as usize].iter().flat_map(|facet| axes.facet_vertices(facet)));
+            // The samples of a reference picture cannot be blended.
+            if pose.kind == FloatingObjectKind::Yacht && group.output != OutputKind::Reference {
+                lines.extend(self.lines.iter().flat_map(|line| axes.line_vertices(line)));
+            }
         }
-        let most = MAX_FLOATING_OBJECTS * self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
+        let largest = self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0) + 6 * self.lines.len();
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
-            let bytes = (most * size_of::<HullVertex>()) as u64;
+            let bytes = (MAX_FLOATING_OBJECTS * largest * size_of::<HullVertex>()) as u64;
             let buffer = gpu.storage_buffer("hulls", bytes);
             let group = gpu.bind_group("hulls", &self.layout, &[buffer.as_entire_binding()]);
             (buffer, group)
         });
-        let vertices = &vertices[..vertices.len().min(most)];
-        gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(vertices));
-        self.vertex_count = vertices.len() as u32;
-        let (gpu, module, format) = (gpu.clone(), self.module.clone(), group.output.format());
-        let (dives, layouts) = (scene.dives(), [group.layout.clone(), self.layout.clone()]);
-        self.pipelines.select(dives, scene.may_keep_pipelines, move || {
-            let constants = [switch_constant("HULL_DIVES", dives)];
-            let program = RenderProgram { constants: &constants, ..RenderProgram::new(&module) };
-            gpu.render_pipeline("hulls", &program, &layouts.each_ref(), &attachments(&format, DEPTH_TEST_OPAQUE))
-        });
+        (self.vertex_count, self.line_vertex_count) = (vertices.len() as u32, lines.len() as u32);
+        vertices.append(&mut lines);
+        gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&vertices));
+        self.select_pipelines(gpu, group, scene);
+    }
+
+    fn select_pipelines(&mut self, gpu: &Gpu, group: &SceneGroup, scene: &Scene) {
+        let parts =
+            HullVariant { dives: scene.dives(), cloud_shadows: scene.look.sky.drawn_clouds() != CloudKind::None };
+        let make = |entry_points: [&'static str; 2], depth: DepthState, blend: Option<wgpu::BlendState>| {
+            let (gpu, module, format) = (gpu.clone(), self.module.clone(), group.output.format());
+            let layouts = [group.layout.clone(), self.layout.clone()];
+            move || {
+                let constants = [
+                    switch_constant("HULL_DIVES", parts.dives),
+                    switch_constant("SKY_CLOUD_SHADOWS", parts.cloud_shadows),
+                ];
+                let program = RenderProgram { module: &module, entry_points, constants: &constants };
+                let onto = AttachmentFormats { blend, ..attachments(&format, depth) };
+                gpu.render_pipeline("hulls", &program, &layouts.each_ref(), &onto)
+            }
+        };
+        let hulls = make(["vertex", "fragment"], DEPTH_TEST_OPAQUE, None);
+        let lines = make(["line_vertex", "line_fragment"], DEPTH_TEST_BACKGROUND, Some(BLEND_OVER));
+        self.pipelines.select(parts, scene.may_keep_pipelines, hulls);
+        if self.line_vertex_count > 0 {
+            self.line_pipelines.select(parts, scene.may_keep_pipelines, lines);
+        }
     }
 
     /// Whether anything floats in the picture, so that hulls must be drawn.
@@ -114,5 +146,49 @@ impl HullPass {
         pass.set_bind_group(0, &scene.group, &[]);
         pass.set_bind_group(1, group, &[]);
         pass.draw(0..self.vertex_count, 0..1);
+        if let Some(lines) = self.line_pipelines.selected().filter(|_| self.line_vertex_count > 0) {
+            pass.set_pipeline(lines);
+            pass.draw(self.vertex_count..self.vertex_count + self.line_vertex_count, 0..1);
+        }
+    }
+}
+
+/// The axes of a hull in the picture.
+struct HullAxes {
+    /// Position relative to the point of the still water below the eye, m.
+    origin: DVec3,
+    turn: DMat3,
+}
+
+impl HullAxes {
+    fn new(pose: &HullPose, scene: &Scene) -> Self {
+        let [up, ahead] = [pose.up, pose.forward].map(DVec3::from_array);
+        let below_eye = DVec3::new(scene.view.eye.x, scene.sea.still_water_level_m, scene.view.eye.z);
+        Self {
+            origin: DVec3::from_array(pose.position_m) - below_eye,
+            turn: DMat3::from_cols(ahead.cross(up), up, -ahead),
+        }
+    }
+
+    fn vertex(&self, at: DVec3, direction: DVec3, [colour, detail]: [u32; 2]) -> HullVertex {
+        HullVertex {
+            position: (self.origin + self.turn * at).as_vec3().to_array(),
+            colour,
+            normal: (self.turn * direction).as_vec3().to_array(),
+            detail,
+        }
+    }
+
+    fn facet_vertices(&self, facet: &HullFacet) -> [HullVertex; 3] {
+        [0, 1, 2].map(|i| self.vertex(facet.corners[i], facet.normals[i], [facet.colour, facet.cloth[i]]))
+    }
+
+    /// Two triangles of a line, which the vertex shader widens.
+    fn line_vertices(&self, line: &HullLine) -> [HullVertex; 6] {
+        let along = (line.ends[1] - line.ends[0]).normalize_or(DVec3::Y);
+        [(0, -1.0), (1, -1.0), (1, 1.0), (0, -1.0), (1, 1.0), (0, 1.0)].map(|(end, side)| {
+            let half_width = (side * line.half_width_m) as f32;
+            self.vertex(line.ends[end], along, [line.colour, half_width.to_bits()])
+        })
     }
 }

@@ -52,6 +52,8 @@ pub struct WaterLightVariant {
     cloud_shadows: bool,
     /// Whether pixels take unfiltered point samples for a reference picture instead of averaging over their area.
     point_samples: bool,
+    /// Whether something floats, which the water mirrors (shaders/water/hull_image.wgsl).
+    hulls: bool,
     /// Whether the eye dives: the G-buffer then tells which side of the water a pixel shows.
     dives: bool,
     /// Whether the light is that of the lean tier (shaders/water/lean.wgsl); a reference never is.
@@ -88,12 +90,13 @@ impl WaterLightVariant {
             rain: scene.look.sky.rain_mm_h > 0.0,
             cloud_shadows: scene.look.sky.drawn_clouds() != CloudKind::None,
             point_samples: output == OutputKind::Reference,
+            hulls: !scene.hulls.is_empty(),
             dives: scene.dives(),
             is_lean: scene.is_lean && output != OutputKind::Reference,
         }
     }
 
-    pub fn constants(self) -> [(&'static str, f64); 15] {
+    pub fn constants(self) -> [(&'static str, f64); 16] {
         [
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_CAUSTICS", self.caustics),
@@ -106,6 +109,7 @@ impl WaterLightVariant {
             switch_constant("WATER_SCHLICK", self.schlick),
             switch_constant("SKY_IMAGE", self.sky_image),
             switch_constant("SKY_FOG", self.fog),
+            switch_constant("WATER_HULLS", self.hulls),
             switch_constant("WATER_RAIN", self.rain),
             switch_constant("SKY_CLOUD_SHADOWS", self.cloud_shadows),
             switch_constant("WATER_POINT_SAMPLES", self.point_samples),

@@ -3,6 +3,7 @@
 pub mod bed;
 pub mod displace;
 pub mod eye;
+pub mod hull_images;
 mod hull_shapes;
 pub mod hulls;
 pub mod light;

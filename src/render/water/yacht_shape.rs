@@ -1,7 +1,8 @@
-//! The shape of the sailing yacht: a hull, a cabin, a helmsman, and two curved sails that let light through.
+//! The shape of the sailing yacht: a hull, a cabin, a crew of two, rigging, and two curved sails that let light through.
 
-use super::hull_shapes::{DARK_GREY, HullFacet, RED, WHITE, WOOD, surface_of_revolution};
+use super::hull_shapes::{DARK_GREY, HullFacet, HullLine, RED, WHITE, WOOD, cloth_place, surface_of_revolution};
 use glam::DVec3;
+use std::f64::consts::FRAC_PI_2;
 
 const NAVY: u32 = 0x0058_3418;
 const DECK: u32 = 0x00b4_c8d4;
@@ -9,6 +10,7 @@ const DECK: u32 = 0x00b4_c8d4;
 const SAIL: u32 = 0x73e4_eef0;
 /// Dark red antifouling paint below the water line.
 const ANTIFOULING: u32 = 0x0028_2c70;
+const YELLOW: u32 = 0x0018_98d8;
 const SKIN: u32 = 0x0078_98c8;
 /// Distance of the mast's foot before the middle of the hull, m.
 const MAST_AHEAD_M: f64 = 0.85;
@@ -34,16 +36,24 @@ pub fn yacht_hull() -> Vec<HullFacet> {
     let mut facets = Vec::new();
     hull_and_deck(&mut facets);
     cabin(&mut facets);
-    facets.extend(moved(surface_of_revolution(&[(0.1, 0.9, WHITE), (0.06, MAST_TOP_M, WHITE)]), -MAST_AHEAD_M));
-    helmsman(&mut facets);
+    facets.extend(moved(
+        surface_of_revolution(&[(0.1, 0.9, WHITE), (0.06, MAST_TOP_M, WHITE)]),
+        -MAST_AHEAD_M * DVec3::Z,
+    ));
+    crew(&mut facets);
     sails(&mut facets);
     facets
 }
 
 /// Adds the triangles of a sheet of points, rows of equal length, with normals that vary smoothly. They point to the
 /// side of `across x along`, with `across` from row to row and `along` within a row. `colour` gives the paint of the
-/// band between a row and the next.
-fn smooth_sheet(facets: &mut Vec<HullFacet>, rows: &[Vec<DVec3>], colour: impl Fn(usize) -> u32) {
+/// band between a row and the next, `cloth` the place on a sail of a row's point ([`HullFacet::cloth`]).
+fn smooth_sheet(
+    facets: &mut Vec<HullFacet>,
+    rows: &[Vec<DVec3>],
+    colour: impl Fn(usize) -> u32,
+    cloth: impl Fn(usize, usize) -> u32,
+) {
     let normal = |row: usize, i: usize| {
         let across = rows[(row + 1).min(rows.len() - 1)][i] - rows[row.saturating_sub(1)][i];
         let along = rows[row][(i + 1).min(rows[row].len() - 1)] - rows[row][i.saturating_sub(1)];
@@ -51,40 +61,60 @@ fn smooth_sheet(facets: &mut Vec<HullFacet>, rows: &[Vec<DVec3>], colour: impl F
     };
     for row in 0..rows.len() - 1 {
         for i in 0..rows[row].len() - 1 {
-            let at = |(row, i): (usize, usize)| (rows[row][i], normal(row, i));
+            let at = |(row, i): (usize, usize)| (rows[row][i], normal(row, i), cloth(row, i));
             let [a, b, c, d] = [(row, i), (row, i + 1), (row + 1, i + 1), (row + 1, i)].map(at);
             for [p, q, r] in [[a, b, c], [a, c, d]] {
                 let (corners, normals) = ([p.0, q.0, r.0], [p.1, q.1, r.1]);
-                facets.push(HullFacet { corners, normals, colour: colour(row) });
+                facets.push(HullFacet { corners, normals, colour: colour(row), cloth: [p.2, q.2, r.2] });
             }
         }
     }
 }
 
+/// Heights at which the antifouling ends and the white of the side begins, m; the line between them is dark blue.
+const SIDE_LEVELS_M: [f64; 2] = [0.02, 0.12];
+/// Paints of the bands of the hull's side, from the lowest point to the deck.
+const SIDE_PAINTS: [u32; 8] = [ANTIFOULING, ANTIFOULING, ANTIFOULING, NAVY, WHITE, WHITE, NAVY, WHITE];
+
 fn hull_and_deck(facets: &mut Vec<HullFacet>) {
-    // Height of a row between the lowest point (0) and the deck (1), and half-width there relative to the deck's.
-    const ROWS: [[f64; 2]; 7] =
-        [[0.0, 0.0], [0.06, 0.42], [0.2, 0.7], [0.46, 0.88], [0.64, 0.96], [0.9, 1.0], [1.0, 1.0]];
     for side in [-1.0, 1.0] {
-        let row_points = |[up, out]: [f64; 2]| {
-            let point = |[z, half, deck, low]: [f64; 4]| DVec3::new(side * out * half, low + up * (deck - low), z);
-            let mut row: Vec<DVec3> = CROSS_SECTIONS.into_iter().map(point).collect();
+        let row_points = |row: usize| {
+            let mut row: Vec<DVec3> =
+                CROSS_SECTIONS.into_iter().map(|section| side_point(section, side, row)).collect();
             // The order of the points decides which side is outside.
             if side < 0.0 {
                 row.reverse();
             }
             row
         };
-        let rows = ROWS.map(row_points);
-        smooth_sheet(facets, &rows, |row| [ANTIFOULING, ANTIFOULING, ANTIFOULING, WHITE, WHITE, NAVY][row]);
+        let rows: [_; SIDE_PAINTS.len() + 1] = std::array::from_fn(row_points);
+        smooth_sheet(facets, &rows, |row| SIDE_PAINTS[row], |_, _| 0);
     }
     let edge = |side: f64| CROSS_SECTIONS.map(|[z, half, deck, _]| DVec3::new(side * half, deck, z)).to_vec();
     let middle = CROSS_SECTIONS.map(|[z, _, deck, _]| DVec3::new(0.0, deck + 0.06, z)).to_vec();
-    smooth_sheet(facets, &[edge(1.0), middle, edge(-1.0)], |_| DECK);
-    let [z, half, deck, low] = CROSS_SECTIONS[CROSS_SECTIONS.len() - 1];
-    let rim = ROWS.map(|[up, out]| (out * half, low + up * (deck - low)));
-    let across = |side: f64| rim.iter().map(|&(x, y)| DVec3::new(side * x, y, z)).collect::<Vec<_>>();
-    smooth_sheet(facets, &[across(-1.0), across(1.0)], |_| WHITE);
+    smooth_sheet(facets, &[edge(1.0), middle, edge(-1.0)], |_| DECK, |_, _| 0);
+    let stern = CROSS_SECTIONS[CROSS_SECTIONS.len() - 1];
+    let across = |side: f64| (0..=SIDE_PAINTS.len()).map(|row| side_point(stern, side, row)).collect::<Vec<_>>();
+    smooth_sheet(facets, &[across(-1.0), across(1.0)], |_| WHITE, |_, _| 0);
+}
+
+/// Point of the hull's side at a cross-section. The rows follow level lines up to the paint's edge above the water line,
+/// then the deck.
+fn side_point([z, half, deck, low]: [f64; 4], side: f64, row: usize) -> DVec3 {
+    let bottom = |share: f64| low + share * (SIDE_LEVELS_M[0] - low).max(0.0);
+    let y = match row {
+        0 => low,
+        1 => bottom(0.12),
+        2 => bottom(0.5),
+        3 | 4 => SIDE_LEVELS_M[row - 3].max(low),
+        5 => SIDE_LEVELS_M[1].max(low).midpoint(deck - 0.2),
+        6 => deck - 0.2,
+        7 => deck - 0.12,
+        _ => deck,
+    };
+    let up = ((y - low) / (deck - low)).clamp(0.0, 1.0);
+    let out = (FRAC_PI_2 * up.powf(0.6)).sin();
+    DVec3::new(side * out * half, y, z)
 }
 
 fn cabin(facets: &mut Vec<HullFacet>) {
@@ -101,28 +131,66 @@ fn cabin(facets: &mut Vec<HullFacet>) {
             }
             row
         });
-        smooth_sheet(facets, &rows, |row| ROWS[row].2);
+        smooth_sheet(facets, &rows, |row| ROWS[row].2, |_, _| 0);
     }
     // The companionway, the after wall of the cabin.
     let wall = |side: f64| ROWS.map(|(half, up, _)| DVec3::new(side * 0.95 * half, 0.98 + 0.95 * up, 1.7)).to_vec();
-    smooth_sheet(facets, &[wall(-1.0), wall(1.0)], |_| WOOD);
+    smooth_sheet(facets, &[wall(-1.0), wall(1.0)], |_| WOOD, |_, _| 0);
 }
 
-fn helmsman(facets: &mut Vec<HullFacet>) {
-    let figure = surface_of_revolution(&[
-        (0.2, 1.0, NAVY),
-        (0.22, 1.35, RED),
-        (0.24, 1.8, RED),
-        (0.08, 1.95, SKIN),
-        (0.12, 2.05, SKIN),
-        (0.11, 2.15, WHITE),
-        (0.0, 2.25, WHITE),
-    ]);
-    facets.extend(moved(figure, 3.6));
+/// The helmsman at the stern, and one of the crew who sits on the windward deck.
+fn crew(facets: &mut Vec<HullFacet>) {
+    for (jacket, at) in [(RED, DVec3::new(-0.5, 0.0, 3.7)), (YELLOW, DVec3::new(-1.1, -0.1, 2.3))] {
+        let figure = surface_of_revolution(&[
+            (0.24, 1.0, NAVY),
+            (0.25, 1.3, jacket),
+            (0.24, 1.62, jacket),
+            (0.16, 1.78, jacket),
+            (0.08, 1.84, SKIN),
+            (0.12, 1.92, SKIN),
+            (0.11, 2.04, WHITE),
+            (0.0, 2.12, WHITE),
+        ]);
+        facets.extend(moved(figure, at));
+    }
 }
 
-fn moved(facets: Vec<HullFacet>, z: f64) -> impl Iterator<Item = HullFacet> {
-    facets.into_iter().map(move |f| HullFacet { corners: f.corners.map(|c| c + DVec3::Z * z), ..f })
+fn moved(facets: Vec<HullFacet>, by: DVec3) -> impl Iterator<Item = HullFacet> {
+    facets.into_iter().map(move |f| HullFacet { corners: f.corners.map(|c| c + by), ..f })
+}
+
+/// Stays, shrouds, spreaders, guard rails and sheets.
+pub fn yacht_lines() -> Vec<HullLine> {
+    let mast = |y: f64| DVec3::new(0.0, y, -MAST_AHEAD_M);
+    let mut lines = Vec::new();
+    let mut line = |a: DVec3, b: DVec3, half_width_m: f64, colour: u32| {
+        lines.push(HullLine { ends: [a, b], half_width_m, colour });
+    };
+    line(mast(MAST_TOP_M - 0.1), DVec3::new(0.0, 1.05, 5.35), 0.006, DARK_GREY);
+    line(mast(13.2), DVec3::new(0.0, 1.4, -5.5), 0.008, DARK_GREY);
+    line(mast(MAST_TOP_M), mast(MAST_TOP_M + 0.7), 0.008, DARK_GREY);
+    // The mainsheet, from the boom to the cockpit.
+    line(DVec3::new(0.85, 2.0, 2.6), DVec3::new(0.2, 1.05, 2.9), 0.02, WHITE);
+    for side in [-1.0, 1.0] {
+        let chain_plate = DVec3::new(side * 1.66, 1.02, -0.6);
+        let spreader = DVec3::new(side * 0.95, 7.6, -0.75);
+        line(mast(7.6), spreader, 0.03, WHITE);
+        line(chain_plate, spreader, 0.007, DARK_GREY);
+        line(spreader, mast(14.0), 0.007, DARK_GREY);
+        line(chain_plate + DVec3::Z * 0.4, mast(7.5), 0.007, DARK_GREY);
+        // Guard rail on stanchions, from the bow to the stern.
+        let posts = [1, 2, 3, 5, 6, 7, 8].map(|i| {
+            let [z, half, deck, _]: [f64; 4] = CROSS_SECTIONS[i];
+            DVec3::new(side * 0.95 * half, deck, z)
+        });
+        for pair in posts.windows(2) {
+            line(pair[0] + DVec3::Y * 0.6, pair[1] + DVec3::Y * 0.6, 0.006, WHITE);
+            line(pair[1], pair[1] + DVec3::Y * 0.6, 0.012, WHITE);
+        }
+        line(posts[0], posts[0] + DVec3::Y * 0.6, 0.016, WHITE);
+        line(posts[0] + DVec3::Y * 0.6, DVec3::new(0.0, 1.95, -5.5), 0.016, WHITE);
+    }
+    lines
 }
 
 /// A sail between a straight leading edge and a free one. From its foot (0) to its head (1), the chord shortens and
@@ -154,7 +222,7 @@ fn sails(facets: &mut Vec<HullFacet>) {
     let jib = Sail {
         tack: DVec3::new(0.0, 1.5, -5.4),
         head: mast(13.2),
-        foot_m: 4.9,
+        foot_m: 4.15,
         chord_exponent: 1.0,
         angles_deg: [13.0, 34.0],
         camber: 0.14,
@@ -164,11 +232,12 @@ fn sails(facets: &mut Vec<HullFacet>) {
         let rows: Vec<Vec<DVec3>> = (0..=STEPS)
             .map(|row| (0..=STEPS).map(|i| sail.point(row as f64 / STEPS as f64, i as f64 / STEPS as f64)).collect())
             .collect();
-        smooth_sheet(facets, &rows, |_| SAIL);
+        let place = |row, i| cloth_place([i as f64 / STEPS as f64, (0.5 + row as f64) / (STEPS as f64 + 1.0)]);
+        smooth_sheet(facets, &rows, |_| SAIL, place);
     }
     // The boom, along the foot of the mainsail.
     let boom = [-0.14, 0.0].map(|down| [0.0, 1.05].map(|along| main.point(0.0, along) + DVec3::Y * down).to_vec());
-    smooth_sheet(facets, &boom, |_| DARK_GREY);
+    smooth_sheet(facets, &boom, |_| DARK_GREY, |_, _| 0);
 }
 
 impl Sail {

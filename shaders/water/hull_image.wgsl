@@ -1,0 +1,132 @@
+// What the water sees of the floating objects: their mirror image, and their shadow. A stack of ellipses stands for each
+// (src/render/water/hull_images.rs); from any side it looks like a stack of trapezoids.
+
+@group(0) @binding(14) var<uniform> hull_images: HullImages;
+
+// Fraction of the light that the sea reflects up to the side of a hull.
+const HULL_IMAGE_SEA_REFLECTANCE = vec3f(0.03, 0.05, 0.06);
+// Blur of the edges of a shadow: the radius of the sun's disc, as a tangent.
+const HULL_IMAGE_SUN_BLUR = 0.0047;
+
+// Light that reaches the two paints of a side: straight, and through a sail from behind.
+struct HullImageLight {
+  front: vec3f,
+  behind: vec3f,
+}
+
+fn hull_image_light(hull: u32, toward: vec2f) -> HullImageLight {
+  let ahead = hull_images.hulls[hull].ahead;
+  let starboard = vec2f(-ahead.y, ahead.x);
+  let side = starboard * select(1.0, -1.0, dot(starboard, toward) > 0.0);
+  let normal = mix(side, -toward, hull_images.hulls[hull].roundness);
+  let cosine = dot(normal, frame.sun_direction.xz);
+  let sun = cloud_sun_irradiance();
+  let from_sea = HULL_IMAGE_SEA_REFLECTANCE * (light.sky_irradiance + sun * max(frame.sun_direction.y, 0.0));
+  let around = 0.5 * (light.sky_irradiance + from_sea);
+  return HullImageLight(sun * max(cosine, 0.0) + around, sun * max(-cosine, 0.0) + around);
+}
+
+// What a bundle of rays from the point `place` meets of a hull: radiance times the fraction of the rays that the hull
+// stops, and that fraction. `place` has x and z relative to the point below the eye, and the height above the still
+// water. `blur` is the standard deviation of the rays across and in height, as tangents; `pixel_m` is the size of a
+// pixel there. A sail lets light through if `through` is 1.
+fn hull_image_met(
+  hull: u32, place: vec3f, ray: vec3f, blur: vec2f, pixel_m: f32, through: f32,
+) -> vec4f {
+  let over_level = inverseSqrt(max(dot(ray.xz, ray.xz), 1e-6));
+  let toward = ray.xz * over_level;
+  let across = vec2f(-toward.y, toward.x);
+  let rise = ray.y * over_level;
+  let ahead = hull_images.hulls[hull].ahead;
+  let starboard = vec2f(-ahead.y, ahead.x);
+  let seen = vec2f(dot(ahead, across), dot(starboard, across));
+  let deep = vec2f(dot(ahead, toward), dot(starboard, toward));
+  let irradiance = hull_image_light(hull, toward);
+  let pixel = 0.5 * pixel_m / max(dot(hull_images.hulls[hull].origin.xz - place.xz, toward), 1.0);
+  let sharp = inverseSqrt(blur * blur + pixel * pixel);
+  var sum = vec4f(0.0);
+  // Middle (x) and half width (y) of the lower section as seen from `place`, its height (z), and the share of the rays
+  // that pass below it (w).
+  var low = vec4f(0.0);
+  var colour = vec4f(0.0);
+  for (var i = 0u; i < hull_images.hulls[hull].section_count; i++) {
+    let section = hull_images.hulls[hull].sections[i];
+    let half = vec2f(section.half_length_m, section.half_width_m);
+    let off = section.middle - vec3f(place);
+    let middle_m = dot(off.xz, toward);
+    // Its outline lies before the middle of a wide section.
+    let near = 1.0 / max(max(middle_m - 0.6 * length(deep * half), 0.25 * middle_m), 0.2);
+    var high = vec4f(dot(off.xz, across), length(seen * half), off.y, 0.0) * near;
+    high.w = foam_normal_cdf((high.z - rise) * sharp.y);
+    let share = high.w - low.w;
+    if i > 0u && share > 1e-3 {
+      // Most rays pass the band at the height that is nearest to the middle ray's.
+      let at = mix(low.xy, high.xy, saturate((rise - low.z) / max(high.z - low.z, 1e-4)));
+      let stopped = share
+        * (foam_normal_cdf((at.x + at.y) * sharp.x) - foam_normal_cdf((at.x - at.y) * sharp.x));
+      let lit = mix(irradiance.front, irradiance.behind, colour.a);
+      sum += stopped * vec4f(colour.rgb * lit, 1.0 - through * colour.a);
+    }
+    let encoded = unpack4x8unorm(section.colour);
+    colour = vec4f(encoded.rgb * encoded.rgb * (1.0 / ATM_PI), encoded.a);
+    low = high;
+  }
+  return sum;
+}
+
+// Whether rays from `place` in the horizontal direction `toward`, which spread by the tangent `spread`, may meet a hull.
+fn hull_image_may_meet(hull: u32, place: vec2f, toward: vec2f, spread: f32) -> bool {
+  let off = hull_images.hulls[hull].origin.xz - place;
+  let radius_m = hull_images.hulls[hull].radius_m;
+  let far_m = dot(off, toward);
+  let aside_m = abs(toward.x * off.y - toward.y * off.x);
+  return far_m > -0.7 * radius_m && aside_m < radius_m + spread * max(far_m, 0.0);
+}
+
+// The position of a point of the water in the axes of the hulls.
+fn hull_image_place(position: vec3f, height_m: f32) -> vec3f {
+  return vec3f(position.x, height_m, position.z);
+}
+
+// Replaces what the water mirrors in the direction `v` to the eye by the hulls, where it sees them. `distance_m` is the
+// distance to the eye.
+fn hull_image_mirrored(mirror: WaterMirror, place: vec3f, v: vec3f, distance_m: f32, slope: WaterSlope) -> WaterMirror {
+  var out = mirror;
+  let away = -v.xz * inverseSqrt(max(dot(v.xz, v.xz), 1e-6));
+  for (var i = 0u; i < hull_images.count; i++) {
+    // Slopes to the side turn the ray by twice their angle times the sine of the view.
+    if hull_image_may_meet(i, place.xz, away, 0.03 + 1.2 * v.y) {
+      let eye = water_facets_towards(v, slope);
+      let low = -(eye.tilt.height / eye.tilt.across + eye.tilt.mean) / eye.tilt.sigma;
+      let tilts = water_visible_tilts(low);
+      let per_tilt = -(eye.tilt.toward * eye.tilt.sigma + eye.side * eye.tilt_side_shear);
+      let n = water_normal(slope.mean + tilts.x * per_tilt);
+      let cosine = max(dot(v, n), 0.01);
+      var ray = 2.0 * cosine * n - v;
+      ray.y = max(ray.y, 0.003);
+      let over_level = inverseSqrt(max(dot(ray.xz, ray.xz), 1e-4));
+      let rise = ray.y * over_level;
+      let side_variance = max(eye.side_sigma * eye.side_sigma - eye.tilt_side_shear * eye.tilt_side_shear, 1e-8);
+      let blur = 2.0 * vec2f(
+        cosine * over_level * sqrt(side_variance), (1.0 + rise * rise) * tilts.y * eye.tilt.sigma);
+      let met = hull_image_met(i, place, ray, blur, frame.pixel_angle * distance_m, 0.0);
+      out.radiance = (1.0 - met.w) * out.radiance + (out.reflectance * material.sky_reflection) * met.rgb;
+    }
+  }
+  return out;
+}
+
+// Fraction of the sunlight that the hulls let through to a point of the water.
+fn hull_image_sunlight(place: vec3f, pixel_m: f32) -> f32 {
+  let l = frame.sun_direction;
+  var fraction = 1.0;
+  if l.y > 0.0 {
+    let toward = l.xz * inverseSqrt(max(dot(l.xz, l.xz), 1e-6));
+    for (var i = 0u; i < hull_images.count; i++) {
+      if hull_image_may_meet(i, place.xz, toward, 0.02) {
+        fraction *= 1.0 - hull_image_met(i, place, l, vec2f(HULL_IMAGE_SUN_BLUR), pixel_m, 1.0).w;
+      }
+    }
+  }
+  return fraction;
+}
