@@ -19,21 +19,24 @@ const FOAM_BODY_OPACITY = vec2f(0.52, 0.56);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
-// Standard deviation of the height of a front's lumps of decimetres (x) and of centimetres (y), m.
-const FOAM_LUMP_HEIGHT_M = vec2f(0.06, 0.008);
+// Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
+// centimetres (z), m.
+const FOAM_LUMP_HEIGHT_M = vec3f(0.3, 0.06, 0.008);
 // Height of the body of a front above the water, m.
 const FOAM_BODY_HEIGHT_M = 0.07;
-// Least distances, m, over which the slopes of both are measured.
-const FOAM_RELIEF_STEP_M = vec2f(0.07, 0.01);
+// Least distances, m, over which their slopes are measured.
+const FOAM_RELIEF_STEP_M = vec3f(0.5, 0.07, 0.01);
+// Fraction of the foam that belongs to fronts, from which billows show.
+const FOAM_MIN_BILLOWING = 0.2;
 // Height of old foam's relief relative to that of a front.
 const FOAM_OLD_RELIEF = 0.25;
 // Standard deviation of the slope of the relief.
 const FOAM_RELIEF_SLOPE_SIGMA = 0.3;
 // Simulated front above which a cell shows one, and from which it is full.
-const FOAM_FRONT_RANGE = vec2f(0.3, 0.9);
+const FOAM_FRONT_RANGE = vec2f(0.45, 0.65);
 // Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
 // the mean of fronts and of the rest is that of the simulated foam, within 3 % in winds of 10 to 20 m/s.
-const FOAM_FRONT_SHARES = vec2f(0.29, 0.18);
+const FOAM_FRONT_SHARES = vec2f(0.315, 0.195);
 // Mean of the plume relative to that of the foam.
 const FOAM_MEAN_PLUME_RATIO = 1.4;
 // Amount of foam, 0 to 1, below which none is drawn.
@@ -185,13 +188,16 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   let body_opacity = mix(FOAM_BODY_OPACITY.x, FOAM_BODY_OPACITY.y, fresh);
   var out: FoamAppearance;
   var first_body = 0.0;
+  var billows = 0.5;
   var lumps = 0.5;
   // Two samples lie in the two halves, and on both sides of the pixel's axis.
   let step = select(vec2f(0.0), 0.25 * pixel.axis + 0.31 * pixel.across, has_halves);
   var tap = at - step;
   for (var i = 0; i < select(1, 2, has_halves); i++) {
     if is_resolved {
-      noise.y = material_noise(FOAM_PATCH_LAYER, tap, lods.y).r;
+      let patches = material_noise(FOAM_PATCH_LAYER, tap, lods.y);
+      noise.y = 0.5 + dot(turn, patches.ra - 0.5);
+      billows = patches.a;
       let strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z);
       noise.z = 0.5 + dot(turn, strands.ra - 0.5);
       lumps = strands.a;
@@ -217,16 +223,21 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   if strength > 0.0 && kept.z > 0.05 && out.cover > FOAM_MIN_RELIEF_COVER {
     // Slopes matter towards the sun only: light across them changes little.
     let sun = frame.sun_direction.xz * inverseSqrt(max(dot(frame.sun_direction.xz, frame.sun_direction.xz), 1e-6));
-    let steps = max(FOAM_RELIEF_STEP_M, vec2f(whole_m));
-    let far = tap - 2.0 * step + steps.x * sun;
+    let steps = max(FOAM_RELIEF_STEP_M, vec3f(whole_m));
+    let last = tap - 2.0 * step;
+    let far = last + steps.y * sun;
     let ahead = material_noise(FOAM_STRAND_LAYER, far, lods.z);
     noise.z = 0.5 + dot(turn, ahead.ra - 0.5);
     let body = foam_normal_cdf((dot(noise - 0.5, factors) + edge.y) * sharp.y);
-    var rise = 6.08 * FOAM_LUMP_HEIGHT_M.x * (ahead.a - lumps) + FOAM_BODY_HEIGHT_M * (body - first_body);
-    rise /= steps.x;
+    var rise = 6.08 * FOAM_LUMP_HEIGHT_M.y * (ahead.a - lumps) + FOAM_BODY_HEIGHT_M * (body - first_body);
+    rise /= steps.y;
+    if fresh > FOAM_MIN_BILLOWING {
+      let billow = material_noise(FOAM_PATCH_LAYER, last + steps.x * sun, lods.y).a - billows;
+      rise += 6.08 * FOAM_LUMP_HEIGHT_M.x * turn.y * billow / steps.x;
+    }
     if kept.w > FOAM_MIN_LAYER_VARIANCE {
-      let fine = material_noise(FOAM_THREAD_LAYER, at + steps.y * sun, lods.w).a - threads.a;
-      rise += 6.08 * FOAM_LUMP_HEIGHT_M.y * fine / steps.y;
+      let fine = material_noise(FOAM_THREAD_LAYER, at + steps.z * sun, lods.w).a - threads.a;
+      rise += 6.08 * FOAM_LUMP_HEIGHT_M.z * fine / steps.z;
     }
     out.relief = (strength * clamp(rise, -1.5, 1.5)) * sun;
   }
