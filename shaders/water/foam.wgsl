@@ -21,11 +21,13 @@ const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
 // Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
 // centimetres (z), m.
-const FOAM_LUMP_HEIGHT_M = vec3f(0.3, 0.06, 0.008);
+const FOAM_LUMP_HEIGHT_M = vec3f(0.6, 0.08, 0.008);
 // Height of the body of a front above the water, m.
 const FOAM_BODY_HEIGHT_M = 0.07;
 // Least distances, m, over which their slopes are measured.
 const FOAM_RELIEF_STEP_M = vec3f(0.5, 0.07, 0.01);
+// Share of billows in the height of a front's grain, relative to that of lumps.
+const FOAM_BILLOW_GRAIN = 1.2;
 // Fraction of the foam that belongs to fronts, from which billows show.
 const FOAM_MIN_BILLOWING = 0.2;
 // Height of old foam's relief relative to that of a front.
@@ -34,9 +36,11 @@ const FOAM_OLD_RELIEF = 0.25;
 const FOAM_RELIEF_SLOPE_SIGMA = 0.3;
 // Simulated front above which a cell shows one, and from which it is full.
 const FOAM_FRONT_RANGE = vec2f(0.45, 0.65);
+// Cover of a full front: between its billows a few holes stay open.
+const FOAM_FULL_FRONT = 0.92;
 // Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
 // the mean of fronts and of the rest is that of the simulated foam, within 3 % in winds of 10 to 20 m/s.
-const FOAM_FRONT_SHARES = vec2f(0.315, 0.195);
+const FOAM_FRONT_SHARES = vec2f(0.29, 0.18);
 // Mean of the plume relative to that of the foam.
 const FOAM_MEAN_PLUME_RATIO = 1.4;
 // Amount of foam, 0 to 1, below which none is drawn.
@@ -84,7 +88,8 @@ fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
   if cell.z <= FOAM_FRONT_RANGE.x && (cell.x + mean) * frame.foam_amount < FOAM_MIN_AMOUNT {
     return FoamAmount(0.0, 0.0, plume);
   }
-  let front = filled * maths_smooth((cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x));
+  let rise = (cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x);
+  let front = FOAM_FULL_FRONT * filled * maths_smooth(rise);
   let rest = (1.0 - FOAM_FRONT_SHARES.x * filled) / (1.0 - FOAM_FRONT_SHARES.y * filled);
   let all = front + (1.0 - front) * (rest * cell.x) + mean;
   let fresh = (front + FOAM_FRONT_SHARES.x * mean) / max(all, 1e-4);
@@ -188,6 +193,8 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   let body_opacity = mix(FOAM_BODY_OPACITY.x, FOAM_BODY_OPACITY.y, fresh);
   var out: FoamAppearance;
   var first_body = 0.0;
+  // Hollows between billows see less of the sky than their tops.
+  let depth_between = FOAM_BILLOW_GRAIN * turn.y;
   var billows = 0.5;
   var lumps = 0.5;
   // Two samples lie in the two halves, and on both sides of the pixel's axis.
@@ -208,7 +215,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
     let film = film_opacity * foam_normal_cdf((z + edge.x) * sharp.x);
     out.cover += film + body_opacity * body;
     out.film += film;
-    out.grain += lumps - 0.5;
+    out.grain += lumps - 0.5 + depth_between * (billows - 0.5);
     first_body = body;
   }
   let share = select(1.0, 0.5, has_halves);
@@ -216,7 +223,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   out.cover *= share;
   // Lumps are higher where foam covers; the grain is relative to their mean there.
   let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * 0.4 / max(amount.cover, 1e-4);
-  out.grain = 0.5 + 0.6 * (out.grain * share - usual * (1.0 / 6.08)) + 0.4 * (threads.a - 0.5);
+  out.grain = 0.5 + 1.3 * (out.grain * share - usual * (1.0 / 6.08)) + 0.7 * (threads.a - 0.5);
   let strength = material.foam_relief * mix(FOAM_OLD_RELIEF, 1.0, fresh);
   let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;
   out.rough = slope_sigma * slope_sigma * (1.0 - kept.w);
