@@ -162,13 +162,14 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   // Where the pixel resolves neither patches nor strands, all samples are alike.
   let is_resolved = kept.y + kept.z >= FOAM_MIN_RESOLVED;
   has_halves = has_halves && is_resolved;
-  var noise = vec4f(0.5);
+  // Noise less its mean of 0.5; of the finer layers, lace (x) and lumps (y).
+  var noise = vec4f(0.0);
   if kept.x > FOAM_MIN_LAYER_VARIANCE {
-    noise.x = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b;
+    noise.x = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b - 0.5;
   }
-  var threads = vec4f(0.5);
+  var threads = vec2f(0.0);
   if kept.w > FOAM_MIN_LAYER_VARIANCE {
-    threads = material_noise(FOAM_THREAD_LAYER, at, lods.w);
+    threads = material_noise(FOAM_THREAD_LAYER, at, lods.w).ra - 0.5;
   }
   let fresh = amount.fresh;
   // Lumps take the place of lace in a front. Both are independent, so that the sum keeps its variance.
@@ -182,7 +183,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   let weights = raw_weights * inverseSqrt(dot(raw_weights, raw_weights));
   let unresolved = 1.0 - dot(weights * weights, kept);
   let factors = weights * FOAM_PER_DEVIATION;
-  noise.w = 0.5 + dot(turn, threads.ra - 0.5);
+  noise.w = dot(turn, threads);
   // Edges (x) and sharpness (y) of film and body.
   let quantile = foam_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
   let soft = vec2f(FOAM_FILM_SOFTNESS, mix(FOAM_BODY_SOFTNESS.x, FOAM_BODY_SOFTNESS.y, fresh));
@@ -193,29 +194,27 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   let body_opacity = mix(FOAM_BODY_OPACITY.x, FOAM_BODY_OPACITY.y, fresh);
   var out: FoamAppearance;
   var first_body = 0.0;
-  // Hollows between billows see less of the sky than their tops.
   let depth_between = FOAM_BILLOW_GRAIN * turn.y;
-  var billows = 0.5;
-  var lumps = 0.5;
+  // Heights of billows (x) and lumps (y).
+  var heights = vec2f(0.0);
   // Two samples lie in the two halves, and on both sides of the pixel's axis.
   let step = select(vec2f(0.0), 0.25 * pixel.axis + 0.31 * pixel.across, has_halves);
   var tap = at - step;
   for (var i = 0; i < select(1, 2, has_halves); i++) {
     if is_resolved {
-      let patches = material_noise(FOAM_PATCH_LAYER, tap, lods.y);
-      noise.y = 0.5 + dot(turn, patches.ra - 0.5);
-      billows = patches.a;
-      let strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z);
-      noise.z = 0.5 + dot(turn, strands.ra - 0.5);
-      lumps = strands.a;
+      let patches = material_noise(FOAM_PATCH_LAYER, tap, lods.y).ra - 0.5;
+      noise.y = dot(turn, patches);
+      let strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z).ra - 0.5;
+      noise.z = dot(turn, strands);
+      heights = vec2f(patches.y, strands.y);
     }
     tap += 2.0 * step;
-    let z = dot(noise - 0.5, factors);
+    let z = dot(noise, factors);
     let body = foam_normal_cdf((z + edge.y) * sharp.y);
     let film = film_opacity * foam_normal_cdf((z + edge.x) * sharp.x);
     out.cover += film + body_opacity * body;
     out.film += film;
-    out.grain += lumps - 0.5 + depth_between * (billows - 0.5);
+    out.grain += heights.y + depth_between * heights.x;
     first_body = body;
   }
   let share = select(1.0, 0.5, has_halves);
@@ -223,7 +222,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   out.cover *= share;
   // Lumps are higher where foam covers; the grain is relative to their mean there.
   let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * 0.4 / max(amount.cover, 1e-4);
-  out.grain = 0.5 + 1.3 * (out.grain * share - usual * (1.0 / 6.08)) + 0.7 * (threads.a - 0.5);
+  out.grain = 0.5 + 1.3 * (out.grain * share - usual * (1.0 / 6.08)) + 0.7 * threads.y;
   let strength = material.foam_relief * mix(FOAM_OLD_RELIEF, 1.0, fresh);
   let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;
   out.rough = slope_sigma * slope_sigma * (1.0 - kept.w);
@@ -232,18 +231,17 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
     let sun = frame.sun_direction.xz * inverseSqrt(max(dot(frame.sun_direction.xz, frame.sun_direction.xz), 1e-6));
     let steps = max(FOAM_RELIEF_STEP_M, vec3f(whole_m));
     let last = tap - 2.0 * step;
-    let far = last + steps.y * sun;
-    let ahead = material_noise(FOAM_STRAND_LAYER, far, lods.z);
-    noise.z = 0.5 + dot(turn, ahead.ra - 0.5);
-    let body = foam_normal_cdf((dot(noise - 0.5, factors) + edge.y) * sharp.y);
-    var rise = 6.08 * FOAM_LUMP_HEIGHT_M.y * (ahead.a - lumps) + FOAM_BODY_HEIGHT_M * (body - first_body);
+    let ahead = material_noise(FOAM_STRAND_LAYER, last + steps.y * sun, lods.z).ra - 0.5;
+    noise.z = dot(turn, ahead);
+    let body = foam_normal_cdf((dot(noise, factors) + edge.y) * sharp.y);
+    var rise = 6.08 * FOAM_LUMP_HEIGHT_M.y * (ahead.y - heights.y) + FOAM_BODY_HEIGHT_M * (body - first_body);
     rise /= steps.y;
     if fresh > FOAM_MIN_BILLOWING {
-      let billow = material_noise(FOAM_PATCH_LAYER, last + steps.x * sun, lods.y).a - billows;
+      let billow = material_noise(FOAM_PATCH_LAYER, last + steps.x * sun, lods.y).a - 0.5 - heights.x;
       rise += 6.08 * FOAM_LUMP_HEIGHT_M.x * turn.y * billow / steps.x;
     }
     if kept.w > FOAM_MIN_LAYER_VARIANCE {
-      let fine = material_noise(FOAM_THREAD_LAYER, at + steps.z * sun, lods.w).a - threads.a;
+      let fine = material_noise(FOAM_THREAD_LAYER, at + steps.z * sun, lods.w).a - 0.5 - threads.y;
       rise += 6.08 * FOAM_LUMP_HEIGHT_M.z * fine / steps.z;
     }
     out.relief = (strength * clamp(rise, -1.5, 1.5)) * sun;
