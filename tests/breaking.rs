@@ -213,8 +213,8 @@ fn fronts(gpu: &Gpu, state: &str, times: u32) -> Fronts {
             .collect();
         for (i, [excess, along, across, _]) in cells.iter().enumerate() {
             let [foam, _, front] = pair[1][i];
-            let f = ((front - 0.3) / 0.6).clamp(0.0, 1.0);
-            let f = f * f * (3.0 - 2.0 * f);
+            let f = ((front - 0.45) / 0.2).clamp(0.0, 1.0);
+            let f = 0.92 * f * f * (3.0 - 2.0 * f);
             out.foam += share * foam;
             out.source += share * (excess - 1.0).clamp(0.0, 1.0);
             out.drawn_front += share * f;

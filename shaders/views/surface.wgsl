@@ -12,13 +12,16 @@ struct SurfaceFragment {
   @location(1) undisplaced: vec2f,
   // Column and row of the vertex in the mesh.
   @location(2) lattice: vec2f,
+  // Slope that the mesh carries.
+  @location(3) slope: vec2f,
 }
 
 @vertex
 fn vertex(@builtin(vertex_index) i: u32) -> SurfaceFragment {
   let v = mesh_vertices[i];
   let lattice = vec2f(f32(i / frame.mesh_lattice.rows), f32(i % frame.mesh_lattice.rows));
-  return SurfaceFragment(frame.clip_from_relative * vec4f(v.position, 1.0), v.position, v.undisplaced, lattice);
+  let clip = frame.clip_from_relative * vec4f(v.position, 1.0);
+  return SurfaceFragment(clip, v.position, v.undisplaced, lattice, unpack2x16float(v.slope));
 }
 
 // Coverage of a pixel, 0 to 1, by lines one pixel wide at the integers of `at`, which changes by `width` over it.
@@ -46,7 +49,7 @@ fn fragment(in: SurfaceFragment) -> @location(0) vec4f {
   let width = fwidth(edges);
   let tile = view.tiles[0];
   let point = WaterPoint(in.position, at, water_height_m(in.position));
-  let breaker = breaker_motion(at, point.height, vec2f(0.0));
+  let breaker = breaker_motion(at, point.height, in.slope);
   let slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, 1.0);
   switch view.view_kind {
     case 1u: {

@@ -19,18 +19,25 @@ const FOAM_BODY_OPACITY = vec2f(0.52, 0.56);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
-// Standard deviation of the height of a front's lumps of decimetres (x) and of centimetres (y), m.
-const FOAM_LUMP_HEIGHT_M = vec2f(0.06, 0.008);
+// Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
+// centimetres (z), m.
+const FOAM_LUMP_HEIGHT_M = vec3f(0.6, 0.08, 0.008);
 // Height of the body of a front above the water, m.
 const FOAM_BODY_HEIGHT_M = 0.07;
-// Least distances, m, over which the slopes of both are measured.
-const FOAM_RELIEF_STEP_M = vec2f(0.07, 0.01);
+// Least distances, m, over which their slopes are measured.
+const FOAM_RELIEF_STEP_M = vec3f(0.5, 0.07, 0.01);
+// Share of billows in the height of a front's grain, relative to that of lumps.
+const FOAM_BILLOW_GRAIN = 1.2;
+// Fraction of the foam that belongs to fronts, from which billows show.
+const FOAM_MIN_BILLOWING = 0.2;
 // Height of old foam's relief relative to that of a front.
 const FOAM_OLD_RELIEF = 0.25;
 // Standard deviation of the slope of the relief.
 const FOAM_RELIEF_SLOPE_SIGMA = 0.3;
 // Simulated front above which a cell shows one, and from which it is full.
-const FOAM_FRONT_RANGE = vec2f(0.3, 0.9);
+const FOAM_FRONT_RANGE = vec2f(0.45, 0.65);
+// Cover of a full front: between its billows a few holes stay open.
+const FOAM_FULL_FRONT = 0.92;
 // Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
 // the mean of fronts and of the rest is that of the simulated foam, within 3 % in winds of 10 to 20 m/s.
 const FOAM_FRONT_SHARES = vec2f(0.29, 0.18);
@@ -81,7 +88,8 @@ fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
   if cell.z <= FOAM_FRONT_RANGE.x && (cell.x + mean) * frame.foam_amount < FOAM_MIN_AMOUNT {
     return FoamAmount(0.0, 0.0, plume);
   }
-  let front = filled * maths_smooth((cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x));
+  let rise = (cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x);
+  let front = FOAM_FULL_FRONT * filled * maths_smooth(rise);
   let rest = (1.0 - FOAM_FRONT_SHARES.x * filled) / (1.0 - FOAM_FRONT_SHARES.y * filled);
   let all = front + (1.0 - front) * (rest * cell.x) + mean;
   let fresh = (front + FOAM_FRONT_SHARES.x * mean) / max(all, 1e-4);
@@ -154,13 +162,14 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   // Where the pixel resolves neither patches nor strands, all samples are alike.
   let is_resolved = kept.y + kept.z >= FOAM_MIN_RESOLVED;
   has_halves = has_halves && is_resolved;
-  var noise = vec4f(0.5);
+  // Noise less its mean of 0.5; of the finer layers, lace (x) and lumps (y).
+  var noise = vec4f(0.0);
   if kept.x > FOAM_MIN_LAYER_VARIANCE {
-    noise.x = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b;
+    noise.x = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b - 0.5;
   }
-  var threads = vec4f(0.5);
+  var threads = vec2f(0.0);
   if kept.w > FOAM_MIN_LAYER_VARIANCE {
-    threads = material_noise(FOAM_THREAD_LAYER, at, lods.w);
+    threads = material_noise(FOAM_THREAD_LAYER, at, lods.w).ra - 0.5;
   }
   let fresh = amount.fresh;
   // Lumps take the place of lace in a front. Both are independent, so that the sum keeps its variance.
@@ -174,7 +183,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   let weights = raw_weights * inverseSqrt(dot(raw_weights, raw_weights));
   let unresolved = 1.0 - dot(weights * weights, kept);
   let factors = weights * FOAM_PER_DEVIATION;
-  noise.w = 0.5 + dot(turn, threads.ra - 0.5);
+  noise.w = dot(turn, threads);
   // Edges (x) and sharpness (y) of film and body.
   let quantile = foam_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
   let soft = vec2f(FOAM_FILM_SOFTNESS, mix(FOAM_BODY_SOFTNESS.x, FOAM_BODY_SOFTNESS.y, fresh));
@@ -185,24 +194,27 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   let body_opacity = mix(FOAM_BODY_OPACITY.x, FOAM_BODY_OPACITY.y, fresh);
   var out: FoamAppearance;
   var first_body = 0.0;
-  var lumps = 0.5;
+  let depth_between = FOAM_BILLOW_GRAIN * turn.y;
+  // Heights of billows (x) and lumps (y).
+  var heights = vec2f(0.0);
   // Two samples lie in the two halves, and on both sides of the pixel's axis.
   let step = select(vec2f(0.0), 0.25 * pixel.axis + 0.31 * pixel.across, has_halves);
   var tap = at - step;
   for (var i = 0; i < select(1, 2, has_halves); i++) {
     if is_resolved {
-      noise.y = material_noise(FOAM_PATCH_LAYER, tap, lods.y).r;
-      let strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z);
-      noise.z = 0.5 + dot(turn, strands.ra - 0.5);
-      lumps = strands.a;
+      let patches = material_noise(FOAM_PATCH_LAYER, tap, lods.y).ra - 0.5;
+      noise.y = dot(turn, patches);
+      let strands = material_noise(FOAM_STRAND_LAYER, tap, lods.z).ra - 0.5;
+      noise.z = dot(turn, strands);
+      heights = vec2f(patches.y, strands.y);
     }
     tap += 2.0 * step;
-    let z = dot(noise - 0.5, factors);
+    let z = dot(noise, factors);
     let body = foam_normal_cdf((z + edge.y) * sharp.y);
     let film = film_opacity * foam_normal_cdf((z + edge.x) * sharp.x);
     out.cover += film + body_opacity * body;
     out.film += film;
-    out.grain += lumps - 0.5;
+    out.grain += heights.y + depth_between * heights.x;
     first_body = body;
   }
   let share = select(1.0, 0.5, has_halves);
@@ -210,23 +222,27 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   out.cover *= share;
   // Lumps are higher where foam covers; the grain is relative to their mean there.
   let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * 0.4 / max(amount.cover, 1e-4);
-  out.grain = 0.5 + 0.6 * (out.grain * share - usual * (1.0 / 6.08)) + 0.4 * (threads.a - 0.5);
+  out.grain = 0.5 + 1.3 * (out.grain * share - usual * (1.0 / 6.08)) + 0.7 * threads.y;
   let strength = material.foam_relief * mix(FOAM_OLD_RELIEF, 1.0, fresh);
   let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;
   out.rough = slope_sigma * slope_sigma * (1.0 - kept.w);
   if strength > 0.0 && kept.z > 0.05 && out.cover > FOAM_MIN_RELIEF_COVER {
     // Slopes matter towards the sun only: light across them changes little.
     let sun = frame.sun_direction.xz * inverseSqrt(max(dot(frame.sun_direction.xz, frame.sun_direction.xz), 1e-6));
-    let steps = max(FOAM_RELIEF_STEP_M, vec2f(whole_m));
-    let far = tap - 2.0 * step + steps.x * sun;
-    let ahead = material_noise(FOAM_STRAND_LAYER, far, lods.z);
-    noise.z = 0.5 + dot(turn, ahead.ra - 0.5);
-    let body = foam_normal_cdf((dot(noise - 0.5, factors) + edge.y) * sharp.y);
-    var rise = 6.08 * FOAM_LUMP_HEIGHT_M.x * (ahead.a - lumps) + FOAM_BODY_HEIGHT_M * (body - first_body);
-    rise /= steps.x;
+    let steps = max(FOAM_RELIEF_STEP_M, vec3f(whole_m));
+    let last = tap - 2.0 * step;
+    let ahead = material_noise(FOAM_STRAND_LAYER, last + steps.y * sun, lods.z).ra - 0.5;
+    noise.z = dot(turn, ahead);
+    let body = foam_normal_cdf((dot(noise, factors) + edge.y) * sharp.y);
+    var rise = 6.08 * FOAM_LUMP_HEIGHT_M.y * (ahead.y - heights.y) + FOAM_BODY_HEIGHT_M * (body - first_body);
+    rise /= steps.y;
+    if fresh > FOAM_MIN_BILLOWING {
+      let billow = material_noise(FOAM_PATCH_LAYER, last + steps.x * sun, lods.y).a - 0.5 - heights.x;
+      rise += 6.08 * FOAM_LUMP_HEIGHT_M.x * turn.y * billow / steps.x;
+    }
     if kept.w > FOAM_MIN_LAYER_VARIANCE {
-      let fine = material_noise(FOAM_THREAD_LAYER, at + steps.y * sun, lods.w).a - threads.a;
-      rise += 6.08 * FOAM_LUMP_HEIGHT_M.y * fine / steps.y;
+      let fine = material_noise(FOAM_THREAD_LAYER, at + steps.z * sun, lods.w).a - 0.5 - threads.y;
+      rise += 6.08 * FOAM_LUMP_HEIGHT_M.z * fine / steps.z;
     }
     out.relief = (strength * clamp(rise, -1.5, 1.5)) * sun;
   }

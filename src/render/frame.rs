@@ -18,6 +18,9 @@ const RIPPLE_PATCH_RATIO: f64 = 13.1;
 /// Largest fraction of the slope variance of unresolved waves (too short for any cascade) that ripples represent; the
 /// rest is shaded as roughness.
 const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
+/// Largest slope variance of ripples relative to that of the cascade whose copy they are. In a strong wind the waves too
+/// short for the cascades are much rougher than the shortest ones in them.
+const MAX_RIPPLE_VARIANCE_RATIO: f64 = 4.0;
 /// Largest length of a wave, in texels, with which mesh vertices may carry its slopes (WGSL
 /// `WATER_CARRIED_SPACINGS.y`).
 const CARRIED_WAVE_TEXELS: f64 = 7.0;
@@ -64,7 +67,7 @@ gpu_struct! {
         /// Smoothness of the interpolation between texels where the maps are magnified: 1 (Catmull-Rom spline) if the
         /// cascade has waves of few texels, else 0 (linear).
         pub spline_smoothness: f32,
-        /// Factor on slopes read from the maps: 1 for a cascade; 0 to 1 for ripples, to give them less variance.
+        /// Factor on slopes read from the maps: 1 for a cascade; for ripples, what gives them their variance.
         pub slope_scale: f32,
         /// Factor on the slope variance read from the maps: the square of `slope_scale`; in a cross-fade of seas that
         /// share waves, also the correction for it.
@@ -370,7 +373,7 @@ fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64
     for (cascade, finest, weight) in std::iter::once(own).chain(fading) {
         // Ripples scale both slope components of their cascade alike; neither may exceed the unresolved variance.
         let fraction = |i: usize| if finest[i] > 1e-5 { unresolved[i] / finest[i] } else { 0.0 };
-        let fraction = (MAX_RIPPLE_VARIANCE_FRACTION * fraction(0).min(fraction(1))).min(1.0);
+        let fraction = (MAX_RIPPLE_VARIANCE_FRACTION * fraction(0).min(fraction(1))).min(MAX_RIPPLE_VARIANCE_RATIO);
         if let Some(cascade) = cascade.filter(|_| fraction > 0.0) {
             shown.push((cascade, fraction));
             left = [left[0] - fraction * weight * finest[0], left[1] - fraction * weight * finest[1]];

@@ -50,9 +50,9 @@ impl LayerShape {
 /// 10 to 100 m apart, in winds above 8 m/s. Foam moves with the water that it lies on, gusts are carried by the air, and
 /// slicks by the surface current.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
-    LayerShape::foam([1310.0, 530.0, 0.0, 2.5], [0.36, 0.35]),
-    LayerShape::foam([71.0, 71.0, 7.0, 2.2], [0.64, 0.0]),
-    LayerShape::foam([10.7, 10.7, -9.0, 1.6], [1.26, 0.0]),
+    LayerShape::foam([910.0, 190.0, 0.0, 3.5], [0.36, 0.5]),
+    LayerShape::foam([71.0, 71.0, 4.0, 2.8], [0.64, 0.0]),
+    LayerShape::foam([10.7, 10.7, -5.0, 2.2], [1.26, -0.2]),
     LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.45, 0.0]),
     // The smallest tile of the bed holds 38 ripples. Their crests lie across the waves, which follow the wind.
     LayerShape::bed(1130.0, 63.0),
@@ -62,6 +62,9 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::roughness([910.0, 620.0, 4.0, 0.5], 0.7),
     LayerShape::roughness([260.0, 149.0, -7.0, 2.0], 0.03),
 ];
+/// Least density of texels that a layer counts with, relative to that along its denser axis: a longer tile would
+/// flicker across its axis.
+const MIN_DENSITY_RATIO: f64 = 0.4;
 /// Time for which a glint of the sun lasts, s.
 const GLINT_MOMENT_S: f64 = 0.06;
 /// Period of the cells of both layers of rings (shaders/water/rings.wgsl), m; area of the larger cells, m^2; and how
@@ -87,7 +90,8 @@ gpu_struct! {
         uv_from_position: glam::Mat2,
         /// Texture coordinates, in the noise texture, of the point straight below the eye.
         uv_below_eye: [f32; 2],
-        /// Binary logarithm of the number of texels of the noise texture per metre, the geometric mean of both axes.
+        /// Binary logarithm of the number of texels of the noise texture per metre: the geometric mean of both axes, or
+        /// nearly that of the denser one where the tile is long.
         log_texels_per_m: f32,
         /// Weight of the layer in the pattern of old foam.
         foam_weight: f32,
@@ -107,7 +111,8 @@ impl NoiseLayer {
         let along = axis / (along_m * (1.0 + longer * gale));
         let across = axis.perp() / across_m;
         let at = |row: DVec2| row.dot(below_eye).rem_euclid(1.0) as f32;
-        let texels_per_m = f64::from(NOISE_SIDE) * (along.length() * across.length()).sqrt();
+        let densities = [along, across].map(|row| f64::from(NOISE_SIDE) * row.length());
+        let texels_per_m = (densities[0] * densities[1]).sqrt().max(MIN_DENSITY_RATIO * densities[0].max(densities[1]));
         Self {
             uv_from_position: DMat2::from_cols(along, across).transpose().as_mat2(),
             uv_below_eye: [at(along), at(across)],
