@@ -20,11 +20,14 @@ const ATM_SRGB_FROM_WAVELENGTHS = mat4x3f(
 const ATM_RAYLEIGH_SCATTERING = vec4f(6.665e-3, 9.662e-3, 15.763e-3, 28.900e-3);
 const ATM_RAYLEIGH_SCALE_HEIGHT_KM = 8.4;
 // Extinction coefficient of sea salt at sea level, 1/km: an optical depth of about 0.06 over the open ocean. Then
-// albedo, scale height (km) and asymmetry of the phase function.
+// albedo, scale height (km), and asymmetry of the phase functions of large, middle and small particles.
 const ATM_AEROSOL_EXTINCTION = vec4f(0.0485, 0.0493, 0.0508, 0.0530);
 const ATM_AEROSOL_ALBEDO = 0.97;
 const ATM_AEROSOL_SCALE_HEIGHT_KM = 1.2;
-const ATM_AEROSOL_ASYMMETRY = 0.78;
+const ATM_AEROSOL_ASYMMETRIES = vec3f(0.97, 0.88, 0.6);
+// Shares of these sizes in the scattered light, chosen by us: the mean cosine is 0.78, and the light around the sun
+// falls off steadily.
+const ATM_AEROSOL_SHARES = vec3f(0.2, 0.4, 0.4);
 // Absorption coefficient of ozone where it is densest, 1/km; 300 Dobson units in all (Gorshelev et al. 2014).
 const ATM_OZONE_ABSORPTION = vec4f(1.854e-3, 2.590e-3, 0.871e-3, 0.070e-3);
 const ATM_SEA_ALBEDO = 0.06;
@@ -57,17 +60,20 @@ fn atm_rayleigh_phase(c: f32) -> f32 {
   return 3.0 / (16.0 * ATM_PI) * (1.0 + c * c);
 }
 
-// Phase function of aerosol, 1/sr (Cornette and Shanks 1992); c is the cosine of the scattering angle.
-fn atm_aerosol_phase(c: f32) -> f32 {
-  let g = ATM_AEROSOL_ASYMMETRY;
-  let k = 3.0 / (8.0 * ATM_PI) * (1.0 - g * g) / (2.0 + g * g);
-  return k * (1.0 + c * c) / pow(max(1.0 + g * g - 2.0 * g * c, 1e-4), 1.5);
-}
-
 // Henyey-Greenstein phase function, 1/sr; c is the cosine of the scattering angle.
 fn atm_henyey_greenstein(c: f32, g: f32) -> f32 {
   let square = max(1.0 + g * g - 2.0 * g * c, 1e-4);
   return (1.0 - g * g) / (4.0 * ATM_PI * square * sqrt(square));
+}
+
+// Phase function of aerosol, 1/sr; c is the cosine of the scattering angle. Large particles scatter close to the sun,
+// small ones widely. One lobe for all would paint a flat disc of 10 degrees around the sun.
+fn atm_aerosol_phase(c: f32) -> f32 {
+  var sum = 0.0;
+  for (var i = 0; i < 3; i++) {
+    sum += ATM_AEROSOL_SHARES[i] * atm_henyey_greenstein(c, ATM_AEROSOL_ASYMMETRIES[i]);
+  }
+  return sum;
 }
 
 // Arc sine with an error of at most 3e-7 (Moshier's Cephes). It replaces WGSL's function, for which SwiftShader calls

@@ -26,6 +26,8 @@ const DOME_OCTAVE_ASYMMETRY = vec3f(1.0, 0.6, 0.2);
 const DOME_DIFFUSE = 0.1;
 // Share of the sunlight on the top of a cloud that diffuses down beyond the reach of the octaves.
 const DOME_SUN_IN_DEPTH = 0.22;
+// Share of the diffuse light that reaches the bottom of a crease between two heads.
+const DOME_CREASE = 0.5;
 
 // Phase function of droplets, 1/sr: forward and backward lobes. The three components are for the octaves.
 fn dome_phase(c: f32) -> vec3f {
@@ -106,8 +108,10 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
       // Light that has been scattered often is weaker at the very surface, from which it escapes.
       let buried = 1.0 - 0.7 * exp(-0.35 * (tau + cloud_field.extinction_per_km * 0.1 * inside));
       let shine = phase * octaves;
-      out.sun += share * (shine.x + shine.y + shine.z * buried);
-      out.sky += share * 0.5 * above;
+      // Creases between heads, which the noise has cut into the cloud, see less of the light from all sides.
+      let open = DOME_CREASE + (1.0 - DOME_CREASE) * saturate(0.6 - 2.0 * depth / cloud_field.shape_amplitude);
+      out.sun += share * (shine.x + open * (shine.y + shine.z * buried));
+      out.sky += share * 0.5 * above * open;
       out.sea += share * 0.5 * below;
       seen += share;
       distance_sum += share * t;

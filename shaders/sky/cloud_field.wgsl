@@ -36,7 +36,7 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   let shape = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.shapes_per_km, 0.0).r;
   // Few heads stand free of the cloud.
   let amplitude = cloud_field.shape_amplitude;
-  var inside = depth + amplitude * saturate(0.85 + 2.4 * depth / amplitude) * (shape - 0.5);
+  var inside = depth + amplitude * saturate(0.85 + 3.2 * depth / amplitude) * (shape - 0.5);
   let rise_km = p.y - cloud_field.base_km;
   var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
   if detail > 0.0 && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {

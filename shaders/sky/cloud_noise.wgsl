@@ -9,8 +9,8 @@ fn noise_random(cell: vec3i, period: i32, key: u32) -> vec3f {
   return noise_pcg3d_unit(vec3u(wrapped) + key);
 }
 
-// One minus the distance to the nearest of random points, one in each cell (Worley 1996): round heads with sharp
-// creases between them.
+// Falls with the square of the distance to the nearest of random points, one in each cell (Worley 1996): round heads
+// with sharp creases between them. The distance itself would make cones, whose tips fray the outline of a cloud.
 fn noise_billows(at: vec3f, period: i32) -> f32 {
   let p = at * f32(period);
   let cell = vec3i(floor(p));
@@ -20,7 +20,7 @@ fn noise_billows(at: vec3f, period: i32) -> f32 {
     let point = vec3f(cell + off) + noise_random(cell + off, period, 7u) - p;
     nearest = min(nearest, dot(point, point));
   }
-  return saturate(1.0 - sqrt(nearest));
+  return saturate(0.8 - nearest);
 }
 
 fn noise_gradient_at(cell: vec3i, off: vec3f, period: i32) -> f32 {

@@ -344,7 +344,7 @@ fn mean_density_below(eye_height_m: f64, scale_m: f64) -> f64 {
 /// Extinction coefficient of sea salt and moist salt close to the water, 1/km, at a wind speed. With the other aerosol,
 /// one sees 20 km far in a fresh breeze and 5 km in a storm, as navy aerosol models and Beaufort's scale say.
 fn salt_extinction_per_km(wind_m_s: f64) -> f64 {
-    0.02 + 8e-4 * wind_m_s * wind_m_s
+    0.05 + 1.1e-3 * wind_m_s * wind_m_s
 }
 
 /// Angle from the horizontal down to the horizon of the spherical Earth, rad, seen from the height `eye_height_m`.
