@@ -146,6 +146,30 @@ impl AdaptiveQuality {
         1.0 / self.frame_s.max(1e-4)
     }
 
+    /// Wall-clock time from one frame to the next, ms, as a moving average.
+    pub fn frame_ms(&self) -> f64 {
+        1e3 * self.frame_s
+    }
+
+    /// Says in a sentence what is left out of the picture, and why; `None` if nothing is.
+    pub fn reduction_in_words(&self, screen: &Screen) -> Option<String> {
+        let is_reduced = screen.adaptive && !self.time_is_stopped && self.governor.level() != 0;
+        if self.out_of_memory_errors == 0 && !is_reduced {
+            return None;
+        }
+        if self.out_of_memory_errors > 0 {
+            return Some(format!("Drawn with {}.", self.describe()));
+        }
+        let percent = 100.0 * self.governor.scale().powi(2);
+        let light = if self.detail(screen) == Detail::Lean { ", with simpler light" } else { "" };
+        let waves = if self.governor.halvings() > 0 { ", without the shortest waves" } else { "" };
+        let why = match self.governor.whole_frame_gpu_s() {
+            Some(gpu_s) => format!("with all of them this GPU needs {:.0} ms a frame", 1e3 * gpu_s),
+            None => format!("a frame takes {:.0} ms", self.frame_ms()),
+        };
+        Some(format!("Drawn at {percent:.0} % of the pixels{light}{waves}: {why}."))
+    }
+
     /// Describes the picture quality for a bug report: "full quality" or, say, "50 % of the pixels, to keep up".
     pub fn describe(&self) -> String {
         if self.out_of_memory_errors > 0 {

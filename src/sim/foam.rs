@@ -130,6 +130,12 @@ impl FoamScheduler {
         self.changed_at_s = self.at_s;
     }
 
+    /// Forgets all foam: the next call of [`Self::steps_to`] starts computing it anew from the recent past.
+    pub fn restart(&mut self) {
+        (self.at_s, self.changed_at_s) = (None, None);
+        self.cold_start_steps.clear();
+    }
+
     /// Returns the next time steps of the foam towards the simulated time `t_s` (s), at most `max_steps`, and counts
     /// them as made; none if the foam has reached `t_s`. The foam levels lie around the world position `centre` (x, z),
     /// m. A cold start (at the first call, after a jump of time, or in another sea or place while time stands still)

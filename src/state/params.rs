@@ -147,6 +147,8 @@ parameters! {
         panel: bool = true => ("ui", "Panel", "", Flag),
         /// Units of the control panel: metric, or feet, nautical miles and knots. The state string is always metric.
         units: Units = Units::Metric => ("units", "Units", "", Choice(Units::WORDS)),
+        /// Size of text and controls of the panel, relative to the usual one. Large windows enlarge them in addition.
+        text_size: f64 = 1.0 => ("textsize", "Text size", "", number(0.7, 2.5)),
         /// Rendered pixels per window pixel along each axis: below 1 is faster and softer, above 1 is smoother.
         render_scale: f64 = 1.0 => ("renderscale", "Render scale", "", number(0.25, 2.0)),
         /// Lowers the render resolution, and at its limit the FFT size, while frames take too long; raises both again

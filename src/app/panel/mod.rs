@@ -1,6 +1,7 @@
 //! The panel over the sea: tabs of named seas, weather, view, study and sharing. A wide window shows it at the right; a
 //! narrow one has a bar of tabs at the bottom, with a sheet above it.
 
+mod chosen;
 mod numbers;
 mod rows;
 mod seas;
@@ -10,6 +11,7 @@ mod study;
 mod summary;
 mod systems;
 pub mod time;
+pub mod touch;
 mod view;
 mod weather;
 
@@ -83,6 +85,8 @@ pub struct Panel {
     search: String,
     /// Text in the field into which the user types or pastes a link to open.
     link: String,
+    /// The named sea that is shown, see [`App::shown_sea_name`](super::App::shown_sea_name).
+    shown_sea: chosen::ShownSea,
     /// Wave system that has just been switched on, whose section the next frame expands.
     added_system: Option<Group>,
     /// Whether the seed of the random phases stays the same when a named sea is opened or everything is reset.
@@ -147,8 +151,12 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
         .pivot(egui::Align2::RIGHT_TOP)
         .default_pos(screen.right_top() + egui::vec2(-12.0, 12.0))
         .constrain_to(screen);
+    touch::note(ctx);
     window.show(ctx, |ui| {
         ui.set_width(PANEL_WIDTH_POINTS);
+        if touch::is_used(ctx) {
+            enlarge_for_touch(ui);
+        }
         show_tabs(app, ui);
         show_notices(app, ui);
         let Some(tab) = app.panel.open_tab(false) else { return };
@@ -230,6 +238,7 @@ fn text_field<T>(
     ui.with_layout(layout, |ui| {
         let right = right(ui);
         let field = egui::TextEdit::singleline(text).hint_text(hint).char_limit(most_letters);
+        let field = field.vertical_align(egui::Align::Center);
         (ui.add(field.desired_width(f32::INFINITY)).labelled_by(label.id), right)
     })
     .inner
@@ -272,6 +281,9 @@ fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
 }
 
 fn show_notices(app: &App, ui: &mut egui::Ui) {
+    for text in &app.news {
+        ui.label(text);
+    }
     let missing = app.params.look.sky.missing_file_notice();
     for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing) {
         ui.colored_label(egui::Color32::from_rgb(240, 200, 110), text);
