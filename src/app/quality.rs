@@ -233,6 +233,28 @@ mod tests {
     }
 
     #[test]
+    fn fewer_pixels_are_explained_in_words() {
+        let mut quality = AdaptiveQuality::for_adapter(wgpu::DeviceType::DiscreteGpu, false);
+        let screen = Screen::default();
+        run(&mut quality, 1.0, |_| 1.0 / 60.0);
+        assert_eq!(quality.reduction_in_words(&screen), None);
+        // A GPU that needs 24 ms for all pixels.
+        let mut t = 0.0;
+        while t < 5.0 {
+            let gpu_s = 0.024 * quality.governor.scale().powi(2);
+            let interval_s = if gpu_s < 1.0 / 60.0 { 1.0 / 60.0 } else { 1.0 / 30.0 };
+            let gpu = Some((quality.level(), gpu_s));
+            quality.adapt(FrameTimes { interval_s, gpu, ..FrameTimes::default() }, &screen);
+            t += interval_s;
+        }
+        let percent = (100.0 * quality.governor.scale().powi(2)).round();
+        let words = format!("Drawn at {percent} % of the pixels: with all of them this GPU needs 24 ms a frame.");
+        assert_eq!(quality.reduction_in_words(&screen), Some(words));
+        let whole = Screen { adaptive: false, ..Screen::default() };
+        assert_eq!(quality.reduction_in_words(&whole), None);
+    }
+
+    #[test]
     fn refused_memory_costs_pixels_and_points_even_of_a_still() {
         let mut quality = AdaptiveQuality::for_adapter(wgpu::DeviceType::DiscreteGpu, true);
         let screen = Screen { adaptive: false, ..Screen::default() };

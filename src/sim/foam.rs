@@ -315,5 +315,10 @@ mod tests {
         assert!(scheduler.steps_to(t, [0.0; 2], 6)[0].discards_history, "another sea at the same time starts anew");
         while !scheduler.steps_to(t, [0.0; 2], 6).is_empty() {}
         assert!(scheduler.steps_to(t, [50.0, 0.0], 6)[0].discards_history, "and so does another place");
+        while !scheduler.steps_to(t, [50.0, 0.0], 6).is_empty() {}
+        scheduler.restart();
+        let steps = scheduler.steps_to(t + 0.02, [50.0, 0.0], COLD_START_STEPS);
+        assert!(steps[0].discards_history, "a restart forgets all foam, also while time runs");
+        assert_eq!((steps.len(), scheduler.at_s), (COLD_START_STEPS, Some(t + 0.02)));
     }
 }

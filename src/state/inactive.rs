@@ -46,8 +46,9 @@ const RULES: &[Rule] = &[
         "",
     ),
     rule(
-        &["suncolour", "sunsize", "sundistance", "sunfalloff", "haze", "overcast", "clouds", "cloudcover", "squalls"],
+        &["suncolour", "sunfalloff", "overcast", "clouds", "cloudcover", "squalls"],
         has_sky_file,
+        // The size of the sun still widens its glitter, and haze still veils what is far away.
         "The sky from a file has its own light and clouds: change its brightness, or go back to the computed sky.",
         "",
     ),
@@ -55,13 +56,13 @@ const RULES: &[Rule] = &[
     rule(
         &["sun", "sunaz"],
         |p| p.look.sky.sun_placement == SunPlacement::Date,
-        "The date places the sun: choose direction under Sun by.",
+        "The date places the sun: in Study, set Sun by to direction.",
         "sunby=direction",
     ),
     rule(
         &["day", "hour", "lat"],
         |p| p.look.sky.sun_placement == SunPlacement::Direction,
-        "The sun is placed by direction: choose date under Sun by.",
+        "The sun is placed by direction: set Sun by to date.",
         "sunby=date",
     ),
     rule(

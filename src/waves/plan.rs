@@ -137,7 +137,7 @@ impl Plan {
         let captured_fraction = plan.resolved_variance_fraction();
         if captured_fraction < 0.99 && !plan.is_calm() {
             plan.resolution_note = Some(format!(
-                "{} cascade(s) of {n} x {n} points hold {:.1} % of the wave energy",
+                "Cascades: {} of {n} x {n} points, which hold {:.1} % of the wave energy.",
                 plan.cascades.len(),
                 100.0 * captured_fraction
             ));

@@ -32,7 +32,7 @@ const MIN_WINDOW_SIDE_FOR_PANEL_POINTS: f32 = 100.0;
 /// Least height of a widget on a touch screen, points.
 const TOUCH_TARGET_POINTS: f32 = 44.0;
 /// Width of the panel's contents in a wide window, points.
-const PANEL_WIDTH_POINTS: f32 = 316.0;
+const PANEL_WIDTH_POINTS: f32 = 366.0;
 /// Height of a tab's button, points.
 const TAB_HEIGHT_POINTS: f32 = 52.0;
 /// Height of the sheet of a narrow window relative to the window's. The sea stays visible above it.
@@ -150,7 +150,7 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
         .auto_sized()
         .pivot(egui::Align2::RIGHT_TOP)
         .default_pos(screen.right_top() + egui::vec2(-12.0, 12.0))
-        .constrain_to(screen);
+        .constrain_to(screen.shrink(12.0));
     touch::note(ctx);
     window.show(ctx, |ui| {
         ui.set_width(PANEL_WIDTH_POINTS);
@@ -162,7 +162,8 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
         let Some(tab) = app.panel.open_tab(false) else { return };
         show_action_buttons(app, ui);
         let height = screen.height() - 150.0;
-        egui::ScrollArea::vertical().max_height(height).auto_shrink([false, true]).show(ui, |ui| {
+        // What is too wide scrolls sideways: the panel keeps its width, so that no row moves away from the pointer.
+        egui::ScrollArea::both().max_height(height).auto_shrink([false, true]).show(ui, |ui| {
             // Room for the scroll bar, whether it is shown or not: the rows do not move when it appears.
             ui.set_max_width(PANEL_WIDTH_POINTS - 14.0);
             show_tab(app, tab, ui);
@@ -238,7 +239,7 @@ fn text_field<T>(
     ui.with_layout(layout, |ui| {
         let right = right(ui);
         let field = egui::TextEdit::singleline(text).hint_text(hint).char_limit(most_letters);
-        let field = field.vertical_align(egui::Align::Center);
+        let field = field.align(egui::Align2::LEFT_CENTER);
         (ui.add(field.desired_width(f32::INFINITY)).labelled_by(label.id), right)
     })
     .inner

@@ -42,6 +42,10 @@ pub fn has_all_words(text: &str, words: &str) -> bool {
     words.to_lowercase().split_whitespace().all(|word| text.contains(word) || has_synonym(word))
 }
 
+/// Width of a slider beside its label, points: label, slider and number then fit the panel.
+const GRID_SLIDER_POINTS: f32 = 96.0;
+/// Size of the sentence that says why a row has no effect, points.
+pub const REASON_TEXT_POINTS: f32 = 11.5;
 /// Width of the sentence below a row that says why it has no effect, points.
 const REASON_WIDTH_POINTS: f32 = 190.0;
 
@@ -61,6 +65,7 @@ pub fn explain(ui: &egui::Ui, response: egui::Response, text: &str) -> egui::Res
 /// Adds the rows of the parameters `fields` of a group.
 pub fn show_group(params: &mut Params, group: Group, fields: &[&'static Field], ui: &mut egui::Ui) {
     let units = params.screen.units;
+    ui.spacing_mut().slider_width = GRID_SLIDER_POINTS;
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
         for field in fields {
             show_field_row(params, field, units, ui);
@@ -91,7 +96,7 @@ fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: 
         explain(ui, editor.labelled_by(label.id), &help);
         if let Some(why) = inactive.filter(|_| touch::is_used(ui.ctx())) {
             ui.set_max_width(REASON_WIDTH_POINTS);
-            ui.weak(egui::RichText::new(why.reason).small());
+            ui.weak(egui::RichText::new(why.reason).size(REASON_TEXT_POINTS));
         }
     });
     let default = field.default_value();

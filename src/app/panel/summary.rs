@@ -59,7 +59,7 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             let help = "Significant wave height Hs, the mean of the highest third, and period Tp of the peak.";
             line(ui, white(waves, 14.0), help, Tab::Study);
             line(ui, white(keeps_up, 12.0), &format!("Simulated time. Picture: {quality}."), Tab::View);
-            let quiet = |text: String| egui::RichText::new(text).size(11.0).color(egui::Color32::from_gray(190));
+            let quiet = |text: String| egui::RichText::new(text).size(11.0).color(egui::Color32::from_gray(220));
             let help = "Points of the waves' grids (FFT size n), and pixels of the picture that are computed.";
             line(ui, quiet(pixels), help, Tab::Study);
             if let Some(reduction) = reduction {

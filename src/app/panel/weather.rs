@@ -102,7 +102,7 @@ fn show_rows(app: &mut App, ui: &mut egui::Ui, rows: &[Row]) {
             label.id
         });
         if let Some(why) = inactive {
-            ui.weak(egui::RichText::new(why.reason).small());
+            ui.weak(egui::RichText::new(why.reason).size(rows::REASON_TEXT_POINTS));
         }
         rows::show_value(&mut app.params, field, (label.inner, inactive.is_none()), ui);
     }
