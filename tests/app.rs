@@ -323,6 +323,92 @@ fn beaufort_and_named_seas_set_the_sea_and_undo_takes_it_back() {
     assert_eq!(params(&harness), gale);
 }
 
+/// A named sea brings its own light: nothing of a lagoon's water is left in the open ocean.
+#[test]
+fn named_seas_change_the_light_and_keep_the_window() {
+    let mut harness = open("n=64&pause=1&water=3c&fog=4&units=nautical&textsize=1.2");
+    harness.get_by_label("Seas").click();
+    harness.run_steps(30);
+    harness.get_by_label("Calm open ocean").click();
+    harness.run_steps(40);
+    let now = params(&harness);
+    assert_eq!(now.look, seastate::state::Params::default().look);
+    assert!(harness.state().state().contains("units=nautical&textsize=1.2"), "{}", harness.state().state());
+}
+
+#[test]
+fn rows_without_effect_are_disabled() {
+    let mut harness = open_in("n=64&pause=1", [900.0, 900.0]);
+    open_tab(&mut harness, "Study");
+    let is_grey = |harness: &mut Harness<'_, App>, state: &str| {
+        harness.state_mut().set_state(state);
+        harness.get_by_label("Search").focus();
+        harness.run_steps(2);
+        harness.get_by_label("Search").type_text("shininess");
+        harness.run_steps(4);
+        let row = harness.query_all_by_label("Shininess").find(|n| n.accesskit_node().numeric_value().is_some());
+        let is_grey = row.expect("a slider").accesskit_node().is_disabled();
+        harness.get_by_label("Clear the search").click();
+        harness.run_steps(4);
+        is_grey
+    };
+    assert!(is_grey(&mut harness, "n=64&pause=1"));
+    assert!(!is_grey(&mut harness, "n=64&pause=1&specular=blinn-phong"));
+}
+
+#[test]
+fn text_grows_and_the_picture_keeps_its_pixels() {
+    let usual = open("n=64&pause=1");
+    let large = open("n=64&pause=1&textsize=1.2");
+    assert_eq!((usual.ctx.zoom_factor(), large.ctx.zoom_factor()), (1.0, 1.2));
+    assert_eq!(large.state().picture_size(), usual.state().picture_size());
+}
+
+#[test]
+fn a_key_says_what_the_camera_does_now() {
+    let mut harness = open("n=64&pause=1");
+    harness.key_press(egui::Key::C);
+    harness.run_steps(2);
+    harness.get_by_label("Camera: orbit. A drag turns around the sea in the middle.");
+}
+
+/// A finger that scrolls the panel does not move the slider on which it came down; a finger that moves sideways does.
+#[test]
+fn a_finger_scrolls_over_sliders_and_moves_them_sideways() {
+    let mut harness = open("n=64&pause=1&units=metric");
+    let drag = |harness: &mut Harness<'_, App>, by: egui::Vec2| {
+        let slider = harness.query_all_by_label("Blowing over").find(|n| n.accesskit_node().numeric_value().is_some());
+        let from = slider.expect("a slider").rect().left_center() + egui::vec2(30.0, 0.0);
+        let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
+        let touch = |phase, pos| egui::Event::Touch {
+            device_id: egui::TouchDeviceId(0),
+            id: egui::TouchId(1),
+            phase,
+            pos,
+            force: None,
+        };
+        let press = |pressed, pos| egui::Event::PointerButton { pos, button, pressed, modifiers };
+        harness.event(touch(egui::TouchPhase::Start, from));
+        harness.event(egui::Event::PointerMoved(from));
+        harness.event(press(true, from));
+        harness.run_steps(2);
+        for i in 1..=10 {
+            let at = from + by * (i as f32 / 10.0);
+            harness.event(touch(egui::TouchPhase::Move, at));
+            harness.event(egui::Event::PointerMoved(at));
+            harness.run_steps(1);
+        }
+        harness.event(touch(egui::TouchPhase::End, from + by));
+        harness.event(press(false, from + by));
+        harness.event(egui::Event::PointerGone);
+        harness.run_steps(4);
+        params(harness).sea.first_system().fetch_km
+    };
+    let before = params(&harness).sea.first_system().fetch_km;
+    assert_eq!(drag(&mut harness, egui::vec2(3.0, -60.0)), before, "it scrolled");
+    assert_ne!(drag(&mut harness, egui::vec2(60.0, 3.0)), before, "it moved the slider");
+}
+
 #[test]
 fn a_search_finds_parameters_and_units_change() {
     let mut harness = open("n=64&pause=1&units=nautical&wind=10");

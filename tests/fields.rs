@@ -6,24 +6,26 @@ use common::{Pictures, params};
 use seastate::shaders::Shaders;
 use seastate::sim::Simulation;
 use seastate::state::Params;
-use seastate::state::fields::{FIELDS, Field, FieldKind, Group};
+use seastate::state::fields::{FIELDS, Field, FieldKind};
+use seastate::state::look::SkyFile;
 use seastate::waves::Plan;
 use std::collections::BTreeMap;
 
 /// The state on which parameters are tested.
 const BASE: &str = "wind=18&fetch=300&n=64&t=5&overcast=0.3&depth=12&sun=25";
 
-/// Parameters that have no effect in the base state: key (a star matches any start of a key), settings to add to the
-/// base (a later value of a key wins), and the value to test, or "" for one from the middle of the range. The lines of
-/// the second wave system also count for the third and fourth.
+/// Parameters that have no, or too small an effect in the base state: key, settings to add to the base (a later value of
+/// a key wins), and the value to test, or "" for one from the middle of the range. The lines of the second wave system
+/// also count for the third and fourth. Settings without which a parameter has no effect at all are not listed: the
+/// program names them itself ([`Field::inactive_because`]).
 const NEEDS: &[(&str, &str, &str)] = &[
     ("hs", "", "2.5"),
     ("tp", "", "7"),
     ("gamma", "", "1"),
-    ("coefa", "spectrum=ab", "0.4"),
-    ("coefb", "spectrum=ab", "0.3"),
+    ("coefa", "", "0.4"),
+    ("coefb", "", "0.3"),
     ("fade", "", "1"),
-    ("blendto", "blend=0.5", "hasselmann"),
+    ("blendto", "", "hasselmann"),
     ("scale2", "", "1"),
     ("hs2", "scale2=1", "2.5"),
     ("tp2", "scale2=1", "9"),
@@ -36,13 +38,9 @@ const NEEDS: &[(&str, &str, &str)] = &[
     // In shallow water the default limit by depth makes jonswap the spectrum tma.
     ("spectrum", "depthlimit=none", ""),
     ("spectrum2", "scale2=1&depthlimit=none", ""),
-    ("*2", "scale2=1", ""),
     ("tension", "dispersion=capillary&cascades=1&patch1=2&wind=5&fetch=1", ""),
     ("density", "dispersion=capillary&cascades=1&patch1=2&wind=5&fetch=1", ""),
-    ("tmafit", "spectrum=tma", ""),
-    ("bouws", "spectrum=tma", ""),
-    ("karaevtma", "spectrum=karaev", ""),
-    ("foamthreshold", "whitecaps=fixed", "0.95"),
+    ("foamthreshold", "", "0.95"),
     ("loop", "", "60"),
     ("patch1", "", "400"),
     ("patch2", "", "60"),
@@ -56,12 +54,8 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("high2", "", "0.4"),
     ("high3", "", "3"),
     ("high4", "", "15"),
-    ("day", "sunby=date", ""),
-    ("hour", "sunby=date", ""),
-    ("lat", "sunby=date", ""),
     ("sunsize", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&autoexposure=0&exposure=-8", "3"),
     ("sunfalloff", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&sunsize=5&autoexposure=0&exposure=-8", ""),
-    ("cloudcover", "clouds=cumulus", ""),
     ("squalls", "clouds=storm&overcast=0", ""),
     ("spray", "wind=26&fetch=500&depth=4000&y=4&pitch=1", "1"),
     ("fogstart", "fog=2", "500"),
@@ -69,9 +63,7 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("fogheight", "fog=2", "200"),
     ("skyturn", "sky=made-up.hdr", ""),
     ("skygain", "sky=made-up.hdr", ""),
-    ("viewcascade", "view=height", "2"),
-    ("fresnelshine", "fresnel=schlick", ""),
-    ("shininess", "specular=blinn-phong", ""),
+    ("viewcascade", "", "2"),
     // The sun low before the camera.
     ("glittercut", "sunaz=40&sun=8&overcast=0", ""),
     ("glitter", "sunaz=40&sun=20&overcast=0", ""),
@@ -91,6 +83,7 @@ const UNSEEN: &[(&str, &str)] = &[
     ("normsteps", "one step is exact to the seventh digit: few_steps_are_felt in waves/spreading.rs"),
     ("pause", "whether it runs: tests/app.rs stops it"),
     ("ui", "the panel alone: tests/app.rs hides it"),
+    ("textsize", "the panel alone: tests/app.rs enlarges it"),
     ("units", "the panel alone: tests/app.rs changes them"),
     ("lang", "the panel alone: tests/languages.rs changes it"),
     ("renderscale", "a window's pixels: tests/app.rs counts them"),
@@ -115,11 +108,23 @@ fn need(field: &Field) -> (String, &'static str) {
 }
 
 fn need_of_key(key: &str) -> Option<&'static (&'static str, &'static str, &'static str)> {
-    let fits = |pattern: &str| pattern.strip_prefix('*').map_or(pattern == key, |end| key.ends_with(end));
-    let of_second = |pattern: &str| {
-        !pattern.starts_with('*') || FIELDS.iter().any(|f| f.key == key && f.group == Group::SecondSystem)
-    };
-    NEEDS.iter().find(|(pattern, ..)| fits(pattern) && of_second(pattern))
+    NEEDS.iter().find(|(needy, ..)| *needy == key)
+}
+
+/// The state on which a parameter is tested, and the tested value: the base with the settings of [`NEEDS`], and with
+/// those that the program itself says would wake the parameter.
+fn awake(field: &Field, sky: &SkyFile) -> (String, Params, &'static str) {
+    let (more, value) = need(field);
+    let mut state = later_wins(&format!("{BASE}&{more}"));
+    loop {
+        let mut base = params(&state);
+        base.look.sky.adopt_loaded_image(Some(sky));
+        match field.inactive_because(&base) {
+            Some(why) if why.waking.is_empty() => panic!("{} sleeps in {state}: {}", field.key, why.reason),
+            Some(why) => state = later_wins(&format!("{state}&{}", why.waking)),
+            None => return (state, base, value),
+        }
+    }
 }
 
 /// A value from the middle of the range that differs from the base value.
@@ -192,10 +197,7 @@ fn every_parameter_changes_a_map_or_the_picture() {
     let mut unseen = Vec::new();
     let file = common::skies::made_up_sky(40.0);
     for field in FIELDS.iter().filter(|f| UNSEEN.iter().all(|(key, _)| *key != f.key)) {
-        let (more, value) = need(field);
-        let state = later_wins(&format!("{BASE}&{more}"));
-        let mut base = params(&state);
-        base.look.sky.adopt_loaded_image(Some(&file));
+        let (state, base, value) = awake(field, &file);
         let old = (field.get)(&base);
         let value = match value {
             "" => other(field, old),
@@ -222,6 +224,44 @@ fn every_parameter_changes_a_map_or_the_picture() {
     assert!(unseen.is_empty(), "\n{}", unseen.join("\n"));
 }
 
+/// States in which parameters sleep; together they cover each condition of src/state/inactive.rs.
+const SLEEPY: &[&str] = &[
+    "",
+    "sky=made-up.hdr&clouds=cumulus&fog=1",
+    "sunby=date&foam=0&blend=1&clouds=cirrus",
+    "spectrum=pm&depth=4000",
+    "spectrum=elfouhaily&depthlimit=none",
+];
+
+/// What the panel greys changes nothing: neither a map nor the picture.
+#[test]
+fn parameters_that_are_said_to_be_inactive_have_no_effect() {
+    let mut lab = Lab::default();
+    let mut seen = Vec::new();
+    let file = common::skies::made_up_sky(40.0);
+    for sleepy in SLEEPY {
+        let state = later_wins(&format!("{BASE}&{sleepy}"));
+        let mut base = params(&state);
+        base.look.sky.adopt_loaded_image(Some(&file));
+        // The third and fourth wave systems have the rules of the second.
+        let is_like_second = |f: &Field| f.group.further_system_index().is_some_and(|i| i > 1);
+        for field in FIELDS.iter().filter(|f| !is_like_second(f)) {
+            if field.inactive_because(&base).is_none() {
+                continue;
+            }
+            let mut changed = base.clone();
+            (field.set)(&mut changed, other(field, (field.get)(&base)));
+            let maps = if changed.sea == base.sea { 0.0 } else { lab.maps_change(&state, &base, &changed) };
+            let is_of_waves = field.group.further_system_index().is_some();
+            let picture = if is_of_waves { 0.0 } else { lab.picture_change(&state, &base, &changed) };
+            if maps > 0.0 || picture > 0.0 {
+                seen.push(format!("{} in \"{sleepy}\": maps {maps:.1e}, picture {picture:.3}", field.key));
+            }
+        }
+    }
+    assert!(seen.is_empty(), "\n{}", seen.join("\n"));
+}
+
 /// A state string with each key once, with its last value.
 fn later_wins(state: &str) -> String {
     let pairs: Vec<(&str, &str)> = state.split('&').filter_map(|pair| pair.split_once('=')).collect();
@@ -232,7 +272,7 @@ fn later_wins(state: &str) -> String {
 
 #[test]
 fn the_tables_name_parameters_that_exist() {
-    for key in NEEDS.iter().map(|n| n.0).filter(|key| !key.starts_with('*')).chain(UNSEEN.iter().map(|u| u.0)) {
+    for key in NEEDS.iter().map(|n| n.0).chain(UNSEEN.iter().map(|u| u.0)) {
         assert!(FIELDS.iter().any(|f| f.key == key), "{key}");
     }
 }

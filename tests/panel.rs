@@ -1,5 +1,7 @@
 //! Every parameter of FIELDS is set by the panel and carried by the state string.
 
+mod common;
+
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use seastate::app::App;
@@ -66,12 +68,22 @@ fn the_panel_sets_every_parameter_and_takes_it_back() {
         .with_size(egui::vec2(900.0, 6000.0))
         .with_pixels_per_point(1.0)
         .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
-        .build_eframe(|cc| App::new(cc, BASE).expect("a device"));
+        .build_eframe(|cc| App::with_sky(cc, BASE, Some(common::skies::made_up_sky(40.0))).expect("a device"));
     harness.run_steps(3);
     harness.get_by_label("Study").click();
     harness.run_steps(3);
     for field in FIELDS.iter() {
-        harness.state_mut().set_state(BASE);
+        // A row without effect is grey: first comes what the program says would wake it.
+        let mut base = BASE.to_owned();
+        while let Some(why) = field.inactive_because(&query::parse(&base).0) {
+            // Only a sky from a file wakes the parameters that no setting can wake.
+            let waking = if why.waking.is_empty() { "sky=made-up.hdr" } else { why.waking };
+            base = format!("{base}&{waking}");
+            if why.waking.is_empty() {
+                break;
+            }
+        }
+        harness.state_mut().set_state(&base);
         harness.run_steps(2);
         harness.get_by_label("Clear the search").click();
         harness.run_steps(2);

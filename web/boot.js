@@ -51,7 +51,9 @@ function show(rung, reason) {
     section.hidden = section.dataset.rung !== rung;
   }
   element('reason').textContent = reason ?? '';
-  element('reason').hidden = !reason;
+  element('details').hidden = !reason;
+  // The browser's name helps whoever gets a report, and only hides the message from everybody else.
+  element('details').open = reason !== navigator.userAgent;
   element('state').textContent = `seastate "${location.search.slice(1)}"`;
   element('loading').hidden = true;
   element('ladder').hidden = false;
@@ -355,6 +357,12 @@ function watchFrames() {
   });
 }
 
+/** Gives the keyboard to the sea, so that its keys work at once. In a frame of another page, that page keeps it. */
+function takeKeyboard() {
+  const isFree = document.activeElement === null || document.activeElement === document.body;
+  if (isFree && window.parent === window) element('sea').focus({ preventScroll: true });
+}
+
 /** Polls the program for a device loss, a panic and its first picture, and reacts to each. */
 function watch(handle) {
   let begun = performance.now();
@@ -391,6 +399,7 @@ function watch(handle) {
       if (!document.body.classList.contains('running')) keepOffline();
       document.body.classList.add('running');
       element('loading').hidden = true;
+      takeKeyboard();
     } else if (!shown && seconds > SLOW_SECONDS) {
       say('Preparing the graphics: the first time this can take a minute…');
     }

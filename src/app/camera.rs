@@ -48,6 +48,15 @@ pub fn apply_pointer_to_camera(camera: &mut Camera, response: &egui::Response, c
     }
 }
 
+/// What the camera does in a mode, as a sentence for the user.
+pub fn mode_in_words(mode: CameraMode) -> &'static str {
+    match mode {
+        CameraMode::Fly => "Camera: fly. A drag looks around, the keys fly.",
+        CameraMode::Orbit => "Camera: orbit. A drag turns around the sea in the middle.",
+        CameraMode::Buoy => "Camera: ride. It rises and sinks with the waves.",
+    }
+}
+
 /// Applies the keyboard to the camera: WASD and the arrows fly, Q and E sink and rise, Shift flies faster, C changes
 /// the camera mode. The camera dives no deeper than to the bed of water that is `depth_m` deep.
 pub fn apply_keys_to_camera(camera: &mut Camera, depth_m: f64, ctx: &egui::Context) {

@@ -87,6 +87,8 @@ pub struct Governor {
     intervals_s: Vec<f64>,
     /// GPU time of each measured frame since the last decision.
     gpu_times_s: Vec<f64>,
+    /// Time that a frame with all pixels would take on the GPU, s, if GPU times are known.
+    whole_frame_gpu_s: Option<f64>,
     /// Number of decisions since the last change.
     quiet_decisions: u32,
     /// For how long frames have been on time.
@@ -146,6 +148,7 @@ impl Governor {
             frames: 0,
             intervals_s: Vec::new(),
             gpu_times_s: Vec::new(),
+            whole_frame_gpu_s: None,
             quiet_decisions: 0,
             on_time_s: 0.0,
             since_raise_s: None,
@@ -158,6 +161,12 @@ impl Governor {
     /// Factor, at most 1, on the width and the height of the picture.
     pub fn scale(&self) -> f64 {
         SCALE_RATIO.powi(self.steps_down as i32).max(self.min_scale)
+    }
+
+    /// Time that a frame with all pixels would take on the GPU, s, if its time is proportional to the pixels; `None`
+    /// if GPU times are not known.
+    pub fn whole_frame_gpu_s(&self) -> Option<f64> {
+        self.whole_frame_gpu_s
     }
 
     /// How often the requested FFT size is halved.
@@ -224,6 +233,7 @@ impl Governor {
         let gpu_s = if has_gpu_time { median(&mut self.gpu_times_s) } else { interval_s };
         self.intervals_s.clear();
         self.gpu_times_s.clear();
+        self.whole_frame_gpu_s = has_gpu_time.then(|| gpu_s / self.scale().powi(2));
         self.decide(Measured { interval_s, gpu_s, has_gpu_time }, measured_s);
     }
 

@@ -93,7 +93,11 @@ impl App {
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }
         if free {
+            let before = self.params.camera.mode;
             camera::apply_keys_to_camera(&mut self.params.camera, self.params.sea.depth_m, ctx);
+            if self.params.camera.mode != before {
+                self.show_brief_message(camera::mode_in_words(self.params.camera.mode));
+            }
         }
     }
 

@@ -27,6 +27,7 @@ pub mod setup;
 mod share;
 mod storage;
 mod tasks;
+mod text_size;
 mod units;
 mod viewport;
 #[cfg(target_arch = "wasm32")]
@@ -53,6 +54,10 @@ pub struct App {
     params: Params,
     /// Messages about parts of a state string or of a file that could not be used. The panel shows them.
     notices: Vec<String>,
+    /// What was opened last from a file, as sentences for the panel. They are no warnings.
+    news: Vec<String>,
+    /// Whether the next frame makes the foam anew, because another sea was opened: that of the old one does not fit.
+    restarts_foam: bool,
     derived: DerivedSeaData,
     render_state: egui_wgpu::RenderState,
     ctx: egui::Context,
@@ -67,6 +72,8 @@ pub struct App {
     languages: language::Languages,
     /// Whether the help window with the keyboard shortcuts is open.
     help_is_open: bool,
+    /// Factor on egui's text and controls that was set last.
+    text_size: f32,
     message: Option<message::Message>,
     /// Camera, with the time of a stopped clock, as it was last rounded to a link's digits or opened from a link. It is
     /// rounded again only after a change.
@@ -126,6 +133,8 @@ impl App {
         Ok(Self {
             derived: DerivedSeaData::new(&params),
             notices: [notices, own_seas.notices()].concat(),
+            news: Vec::new(),
+            restarts_foam: false,
             render_state,
             ctx: cc.egui_ctx.clone(),
             gpu_errors,
@@ -137,6 +146,7 @@ impl App {
             quality,
             languages: language::Languages::default(),
             help_is_open: false,
+            text_size: 1.0,
             message: None,
             drawn: None,
             rounded_pose: Some(rounding::camera_pose(&params)),
@@ -167,6 +177,8 @@ impl App {
     /// Replaces all parameters by those of a state string. Keys that are missing there get their default values.
     pub fn set_state(&mut self, state: &str) {
         (self.params, self.notices) = query::parse(state);
+        self.news.clear();
+        self.restarts_foam = true;
         self.params.look.sky.adopt_loaded_image(self.sky.as_ref());
         self.rounded_pose = Some(rounding::camera_pose(&self.params));
         // A caller outside of a frame (JavaScript or a test) needs one, also while time is stopped.
@@ -276,6 +288,7 @@ impl eframe::App for App {
         if let Err(reason) = self.languages.update(self.params.screen.language, &ctx) {
             self.notices.push(reason);
         }
+        self.apply_text_size(&ctx);
         self.handle_keys(&ctx);
         self.advance_time(&ctx);
         self.take_opened_files(&ctx);
@@ -303,12 +316,15 @@ impl eframe::App for App {
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
         let is_adaptive = self.params.screen.adaptive && !self.params.clock.paused;
         let level = is_adaptive.then(|| self.quality.level());
-        let pixels = |points| self.quality.picture_size(points, ctx.pixels_per_point(), &params.screen, limit);
+        let frame = (level, std::mem::take(&mut self.restarts_foam));
+        // The number of pixels does not depend on the size of the text.
+        let (zoom, density) = (ctx.zoom_factor(), ctx.native_pixels_per_point().unwrap_or(1.0));
+        let pixels = |points: egui::Vec2| self.quality.picture_size(points * zoom, density, &params.screen, limit);
         // Clicks on the sea are sensed only while an object is to be placed: with them, egui would take a finger that
         // rests before it drags for a long press.
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
         let (response, size) =
-            viewport::show_sea(ui, &params, (&self.progress, &self.frame_measurements), sense, level, pixels);
+            viewport::show_sea(ui, &params, (&self.progress, &self.frame_measurements), sense, frame, pixels);
         // A saved picture remembers the user's choice of the light, not the tier of this moment.
         self.drawn = Some((Params { screen: self.params.screen.clone(), ..params }, size));
         self.place_floating_object(&response, &ctx);

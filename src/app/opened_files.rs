@@ -114,8 +114,8 @@ impl App {
     fn use_sky_file(&mut self, file: SkyFile) {
         let Some(panorama) = &file.image else { return };
         let sun = panorama.sun.as_ref().map(|s| format!(", sun {:.0}° high", s.elevation_deg)).unwrap_or_default();
-        self.notices = vec![format!("{}: {} x {}{sun}", file.name, panorama.width, panorama.height)];
-        self.notices.extend(panorama.notices.iter().cloned());
+        self.news = vec![format!("{}: {} x {}{sun}", file.name, panorama.width, panorama.height)];
+        self.notices.clone_from(&panorama.notices);
         self.params.look.sky.file = Some(file.clone());
         self.sky = Some(file);
     }

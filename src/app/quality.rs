@@ -146,6 +146,30 @@ impl AdaptiveQuality {
         1.0 / self.frame_s.max(1e-4)
     }
 
+    /// Wall-clock time from one frame to the next, ms, as a moving average.
+    pub fn frame_ms(&self) -> f64 {
+        1e3 * self.frame_s
+    }
+
+    /// Says in a sentence what is left out of the picture, and why; `None` if nothing is.
+    pub fn reduction_in_words(&self, screen: &Screen) -> Option<String> {
+        let is_reduced = screen.adaptive && !self.time_is_stopped && self.governor.level() != 0;
+        if self.out_of_memory_errors == 0 && !is_reduced {
+            return None;
+        }
+        if self.out_of_memory_errors > 0 {
+            return Some(format!("Drawn with {}.", self.describe()));
+        }
+        let percent = 100.0 * self.governor.scale().powi(2);
+        let light = if self.detail(screen) == Detail::Lean { ", with simpler light" } else { "" };
+        let waves = if self.governor.halvings() > 0 { ", without the shortest waves" } else { "" };
+        let why = match self.governor.whole_frame_gpu_s() {
+            Some(gpu_s) => format!("with all of them this GPU needs {:.0} ms a frame", 1e3 * gpu_s),
+            None => format!("a frame takes {:.0} ms", self.frame_ms()),
+        };
+        Some(format!("Drawn at {percent:.0} % of the pixels{light}{waves}: {why}."))
+    }
+
     /// Describes the picture quality for a bug report: "full quality" or, say, "50 % of the pixels, to keep up".
     pub fn describe(&self) -> String {
         if self.out_of_memory_errors > 0 {
@@ -206,6 +230,28 @@ mod tests {
         assert_eq!(quality.picture_size(points, 3.0, &screen, 8192), [2000, 1000]);
         assert_eq!(quality.reduced_grid(&grid, &screen), grid);
         assert_eq!(quality.picture_size(points, 3.0, &screen, 512), [512, 512]);
+    }
+
+    #[test]
+    fn fewer_pixels_are_explained_in_words() {
+        let mut quality = AdaptiveQuality::for_adapter(wgpu::DeviceType::DiscreteGpu, false);
+        let screen = Screen::default();
+        run(&mut quality, 1.0, |_| 1.0 / 60.0);
+        assert_eq!(quality.reduction_in_words(&screen), None);
+        // A GPU that needs 24 ms for all pixels.
+        let mut t = 0.0;
+        while t < 5.0 {
+            let gpu_s = 0.024 * quality.governor.scale().powi(2);
+            let interval_s = if gpu_s < 1.0 / 60.0 { 1.0 / 60.0 } else { 1.0 / 30.0 };
+            let gpu = Some((quality.level(), gpu_s));
+            quality.adapt(FrameTimes { interval_s, gpu, ..FrameTimes::default() }, &screen);
+            t += interval_s;
+        }
+        let percent = (100.0 * quality.governor.scale().powi(2)).round();
+        let words = format!("Drawn at {percent} % of the pixels: with all of them this GPU needs 24 ms a frame.");
+        assert_eq!(quality.reduction_in_words(&screen), Some(words));
+        let whole = Screen { adaptive: false, ..Screen::default() };
+        assert_eq!(quality.reduction_in_words(&whole), None);
     }
 
     #[test]

@@ -68,14 +68,15 @@ impl DrawingProgress {
 }
 
 /// Fills the rest of `ui` with the sea. `pixels` converts the size of that area in points to the picture's size in
-/// pixels. With a `quality_level` the frame's GPU time is measured, and comes back with that number. Returns egui's
+/// pixels. With a `quality_level` the frame's GPU time is measured, and comes back with that number. `restarts_foam`: the
+/// foam is made anew for this sea. Returns egui's
 /// response of the area to pointer input of the kind `sense`, and the picture's size in pixels.
 pub fn show_sea(
     ui: &mut egui::Ui,
     params: &Params,
     (progress, measurements): (&DrawingProgress, &FrameMeasurements),
     sense: egui::Sense,
-    quality_level: Option<u32>,
+    (quality_level, restarts_foam): (Option<u32>, bool),
     pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
 ) -> (egui::Response, [u32; 2]) {
     let response = egui::CentralPanel::default()
@@ -86,7 +87,8 @@ pub fn show_sea(
     if response.rect.is_positive() {
         let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(MAX_FADE_STEP_S);
         let (progress, measurements) = (progress.clone(), measurements.clone());
-        let frame = SeaFrame { params: params.clone(), size, progress, measurements, dt_s, tag: quality_level };
+        let frame =
+            SeaFrame { params: params.clone(), size, progress, measurements, dt_s, tag: quality_level, restarts_foam };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     (response, size)
@@ -109,6 +111,8 @@ struct SeaFrame {
     /// Tag of the frame's GPU time: its quality (see [`super::quality::AdaptiveQuality::level`]). `None` if the quality
     /// does not adapt, so that the time is not needed.
     tag: Option<u32>,
+    /// Whether the foam is made anew, after the transition to this sea if there is one.
+    restarts_foam: bool,
 }
 
 impl egui_wgpu::CallbackTrait for SeaFrame {
@@ -131,6 +135,9 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         self.measurements.begin_frame(ocean, self.tag);
         ocean.set_may_keep_pipelines(!self.params.clock.paused);
         ocean.transition_to(&self.params, self.dt_s);
+        if self.restarts_foam {
+            ocean.restart_foam_after_transition();
+        }
         ocean.set_lean(self.params.screen.detail == Detail::Lean);
         let most_steps = foam_steps_per_frame(ocean.gpu(), ocean.plan().n);
         let caught_up = ocean.record_frame(&mut encoder, self.size, most_steps);

@@ -103,13 +103,15 @@ impl WebHandle {
         self.with_app(|app| app.is_picture_complete()).unwrap_or_default()
     }
 
-    /// Bounds of the widget with the given label, in points: x and y of the top left corner, width, height; `None` if
+    /// Bounds of the widget with the given label, in CSS pixels: x and y of the top left corner, width, height; `None` if
     /// there is no such widget. Browser tests use it; the bounds are valid until the next frame.
     pub fn widget_bounds(&self, label: &str) -> Option<Vec<f64>> {
         let items = self.items();
         let named = || items.iter().filter(|item| item.label == label);
         // A parameter has a slider, then a number field and a text with the same label: this takes the slider.
-        named().find(|item| item.role != "Label").or_else(|| named().next()).map(|item| item.bounds.to_vec())
+        let item = named().find(|item| item.role != "Label").or_else(|| named().next())?;
+        let zoom = self.with_app(|app| f64::from(app.ctx.zoom_factor()))?;
+        Some(item.bounds.iter().map(|x| zoom * x).collect())
     }
 
     /// Widgets and texts for screen readers: an array of objects in reading order, with `id`, `role` (AccessKit's
@@ -241,9 +243,9 @@ fn accessible_item_object(item: &AccessibleItem) -> JsValue {
     ])
 }
 
-/// Whether the user has asked the browser for reduced motion.
-fn prefers_reduced_motion() -> bool {
-    let asked = web_sys::window().and_then(|w| w.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
+/// Whether a media query fits this browser, such as that the user has asked for reduced motion.
+fn media_matches(query: &str) -> bool {
+    let asked = web_sys::window().and_then(|w| w.match_media(query).ok().flatten());
     asked.is_some_and(|m| m.matches())
 }
 
@@ -260,7 +262,10 @@ async fn park_when_lost(runner: eframe::WebRunner, parked: ParkedApp, gpu_errors
 /// Creates an app with the state string in the page's address. Its clock is stopped if the user prefers reduced motion.
 fn app_from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
     let mut app = App::new(cc, &address_link(&address_query()))?;
-    if prefers_reduced_motion() {
+    if media_matches("(pointer: coarse)") {
+        super::panel::touch::remember(&cc.egui_ctx);
+    }
+    if media_matches("(prefers-reduced-motion: reduce)") {
         app.params.clock.paused = true;
     }
     Ok(app)

@@ -134,7 +134,9 @@ fn run(cli: Cli) -> Result<i32, String> {
 fn read_sea_params(args: &SeaArgs) -> Result<Params, String> {
     let (params, notices) = args.read()?;
     report_notices(&notices);
-    report_notices(&crate::waves::Plan::new(&params).notices);
+    let plan = crate::waves::Plan::new(&params);
+    report_notices(&plan.notices);
+    report_notices(plan.resolution_note.as_slice());
     Ok(params)
 }
 

@@ -61,7 +61,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
         "chop_xz": plan.sea.choppiness_xz(),
         "level_m": plan.sea.still_water_level_m,
         "untile": plan.blends_copies,
-        "notices": plan.notices,
+        "notices": plan.notices.iter().chain(&plan.resolution_note).collect::<Vec<_>>(),
         "cascades": plan.cascades.iter().enumerate().map(|(i, c)| serde_json::json!({
             "displacement": format!("cascade{i}_displacement.exr"),
             "gradients": format!("cascade{i}_gradients.exr"),

@@ -65,7 +65,8 @@ impl SeaStatistics {
     /// Statistics measured over the seeds have a standard error.
     pub fn json(&self, notices: &[String]) -> String {
         let (t, r, m) = (&self.theory, &self.resolved, &self.measured);
-        let notices: Vec<&String> = notices.iter().chain(&self.plan.notices).collect();
+        let notices: Vec<&String> =
+            notices.iter().chain(&self.plan.notices).chain(&self.plan.resolution_note).collect();
         let cascades: Vec<Value> = (self.plan.cascades.iter())
             .map(|c| json!({"n": self.plan.n, "patch_m": c.patch_m, "k_low": c.k_low, "k_high": c.k_high}))
             .collect();

@@ -70,6 +70,11 @@ pub fn planned_vertex_count(params: &Params, plan: &Plan, size: [u32; 2]) -> u32
 }
 
 impl Ocean {
+    /// Computes the foam anew from the recent past once the present transition, if any, has ended.
+    pub fn restart_foam_after_transition(&mut self) {
+        self.sim.restart_foam_after_transition();
+    }
+
     /// Prepares the passes of waves and foam for the time of the parameters: uploads their uniform buffers, but records
     /// nothing. [`WavePasses::record`] then records single passes.
     pub fn wave_passes(&mut self) -> WavePasses<'_> {

@@ -62,6 +62,15 @@ impl Simulation {
         self.advance_transition(start, dt_s)
     }
 
+    /// Computes the foam anew from the recent past of the present sea, or of the next one if a transition to it is
+    /// running: at the end of that transition. Else the foam of a storm would lie on the calm sea that replaces it.
+    pub fn restart_foam_after_transition(&mut self) {
+        self.restarts_foam = self.in_transition();
+        if !self.restarts_foam {
+            self.foam.restart();
+        }
+    }
+
     /// Kind of transition that leads from the current sea to that of `plan`. None if both seas are the same.
     fn needed_transition(&self, plan: &Plan) -> Option<TransitionKind> {
         let now = &self.sea.plan;
@@ -122,6 +131,9 @@ impl Simulation {
         self.apply_transition_step(&step);
         if was_in_transition && !self.in_transition() {
             self.foam.note_sea_change();
+            if std::mem::take(&mut self.restarts_foam) {
+                self.foam.restart();
+            }
         }
         step
     }

@@ -130,6 +130,12 @@ impl FoamScheduler {
         self.changed_at_s = self.at_s;
     }
 
+    /// Forgets all foam: the next call of [`Self::steps_to`] starts computing it anew from the recent past.
+    pub fn restart(&mut self) {
+        (self.at_s, self.changed_at_s) = (None, None);
+        self.cold_start_steps.clear();
+    }
+
     /// Returns the next time steps of the foam towards the simulated time `t_s` (s), at most `max_steps`, and counts
     /// them as made; none if the foam has reached `t_s`. The foam levels lie around the world position `centre` (x, z),
     /// m. A cold start (at the first call, after a jump of time, or in another sea or place while time stands still)
@@ -309,5 +315,10 @@ mod tests {
         assert!(scheduler.steps_to(t, [0.0; 2], 6)[0].discards_history, "another sea at the same time starts anew");
         while !scheduler.steps_to(t, [0.0; 2], 6).is_empty() {}
         assert!(scheduler.steps_to(t, [50.0, 0.0], 6)[0].discards_history, "and so does another place");
+        while !scheduler.steps_to(t, [50.0, 0.0], 6).is_empty() {}
+        scheduler.restart();
+        let steps = scheduler.steps_to(t + 0.02, [50.0, 0.0], COLD_START_STEPS);
+        assert!(steps[0].discards_history, "a restart forgets all foam, also while time runs");
+        assert_eq!((steps.len(), scheduler.at_s), (COLD_START_STEPS, Some(t + 0.02)));
     }
 }

@@ -56,6 +56,8 @@ pub struct Simulation {
     /// Fraction of the way that the next spectrum pass moves the Fourier amplitudes h0 in their buffer towards those of
     /// the plan: 1 replaces them; with 0 the pass is left out.
     spectrum_blend: f64,
+    /// Whether the foam is computed anew when the running transition ends.
+    restarts_foam: bool,
     spectrum_pass_count: u64,
     timer: Timer,
 }
@@ -94,6 +96,7 @@ impl Simulation {
             foam,
             foam_parameters: Interpolated::new(parameters),
             spectrum_blend: 1.0,
+            restarts_foam: false,
             spectrum_pass_count: 0,
             timer: Timer::default(),
         }

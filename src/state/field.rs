@@ -340,6 +340,17 @@ impl<P> FieldDescription<P> {
         }
     }
 
+    /// Says in words what a value must be, such as "it must be a number from 0 (auto) to 30".
+    pub fn needed_value_text(&self) -> String {
+        let allowed = self.allowed_values_text();
+        match self.kind {
+            FieldKind::Number { .. } | FieldKind::Heading => format!("it must be a number from {allowed}"),
+            FieldKind::Integer { .. } => format!("it must be a whole number from {allowed}"),
+            FieldKind::Flag | FieldKind::Choice(_) => format!("it must be one of {allowed}"),
+            FieldKind::Colour => format!("it must be {allowed}"),
+        }
+    }
+
     /// Describes the allowed values for help texts and tooltips, such as "0 (auto) to 30".
     pub fn allowed_values_text(&self) -> String {
         let zero_word = if self.zero_word.is_empty() { String::new() } else { format!(" ({})", self.zero_word) };

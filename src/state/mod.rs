@@ -4,6 +4,7 @@ pub mod camera;
 mod field;
 pub mod fields;
 pub mod floats;
+pub mod inactive;
 pub mod look;
 pub mod motion;
 pub mod params;

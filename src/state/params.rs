@@ -171,6 +171,8 @@ parameters! {
         units: Units = Units::Metric => ("units", "Units", "", Choice(Units::WORDS)),
         /// Language of the interface; auto is that of the system or the browser.
         language: Language = Language::Auto => ("lang", "Language", "", Choice(Language::WORDS)),
+        /// Size of text and controls of the panel, relative to the usual one. Large windows enlarge them in addition.
+        text_size: f64 = 1.0 => ("textsize", "Text size", "", number(0.7, 2.5)),
         /// Rendered pixels per window pixel along each axis: below 1 is faster and softer, above 1 is smoother.
         render_scale: f64 = 1.0 => ("renderscale", "Render scale", "", number(0.25, 2.0)),
         /// Lowers the render resolution, and at its limit the FFT size, while frames take too long; raises both again

@@ -146,9 +146,9 @@ impl ParsedState {
             Ok(_) => {}
             Err(InvalidValue::Ignored) => {
                 self.notices.push(format!(
-                    "{key}={} is not one of: {}",
+                    "{key} cannot be \"{}\": {}, so the value is ignored",
                     quoted_excerpt(value),
-                    field.allowed_values_text()
+                    field.needed_value_text()
                 ));
             }
             Err(InvalidValue::Clamped(v)) => {

@@ -53,6 +53,9 @@ pub struct Plan {
     pub downwind: [f64; 2],
     /// Notices for the user, for example that the height was limited by the water depth.
     pub notices: Vec<String>,
+    /// What the grid leaves out, if it holds less than 99 % of the energy. It is no fault, so it is not among the
+    /// notices.
+    pub resolution_note: Option<String>,
     /// Integrals of the total spectrum of all wave systems, from which the variance between two wave numbers follows.
     pub spectrum_integrals: Arc<SpectrumIntegrals>,
     /// Fitted coefficients of the waves of second order. [`Plan::bound_waves`] applies the parameters `order` and
@@ -121,6 +124,7 @@ impl Plan {
             omega_p,
             downwind,
             notices,
+            resolution_note: None,
             spectrum_integrals: energy,
             bound_wave_fit: BoundWaveFit::default(),
         };
@@ -132,8 +136,8 @@ impl Plan {
         }
         let captured_fraction = plan.resolved_variance_fraction();
         if captured_fraction < 0.99 && !plan.is_calm() {
-            plan.notices.push(format!(
-                "{} cascade(s) of {n} x {n} points hold {:.1} % of the wave energy",
+            plan.resolution_note = Some(format!(
+                "Cascades: {} of {n} x {n} points, which hold {:.1} % of the wave energy.",
                 plan.cascades.len(),
                 100.0 * captured_fraction
             ));

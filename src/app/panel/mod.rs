@@ -1,6 +1,7 @@
 //! The panel over the sea: tabs of named seas, weather, view, study and sharing. A wide window shows it at the right; a
 //! narrow one has a bar of tabs at the bottom, with a sheet above it.
 
+mod chosen;
 mod numbers;
 mod rows;
 mod seas;
@@ -10,6 +11,7 @@ mod study;
 mod summary;
 mod systems;
 pub mod time;
+pub mod touch;
 mod view;
 mod weather;
 
@@ -30,7 +32,7 @@ const MIN_WINDOW_SIDE_FOR_PANEL_POINTS: f32 = 100.0;
 /// Least height of a widget on a touch screen, points.
 const TOUCH_TARGET_POINTS: f32 = 44.0;
 /// Width of the panel's contents in a wide window, points.
-const PANEL_WIDTH_POINTS: f32 = 316.0;
+const PANEL_WIDTH_POINTS: f32 = 366.0;
 /// Height of a tab's button, points.
 const TAB_HEIGHT_POINTS: f32 = 52.0;
 /// Height of the sheet of a narrow window relative to the window's. The sea stays visible above it.
@@ -83,6 +85,8 @@ pub struct Panel {
     search: String,
     /// Text in the field into which the user types or pastes a link to open.
     link: String,
+    /// The named sea that is shown, see [`App::shown_sea_name`](super::App::shown_sea_name).
+    shown_sea: chosen::ShownSea,
     /// Wave system that has just been switched on, whose section the next frame expands.
     added_system: Option<Group>,
     /// Whether the seed of the random phases stays the same when a named sea is opened or everything is reset.
@@ -146,15 +150,20 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
         .auto_sized()
         .pivot(egui::Align2::RIGHT_TOP)
         .default_pos(screen.right_top() + egui::vec2(-12.0, 12.0))
-        .constrain_to(screen);
+        .constrain_to(screen.shrink(12.0));
+    touch::note(ctx);
     window.show(ctx, |ui| {
         ui.set_width(PANEL_WIDTH_POINTS);
+        if touch::is_used(ctx) {
+            enlarge_for_touch(ui);
+        }
         show_tabs(app, ui);
         show_notices(app, ui);
         let Some(tab) = app.panel.open_tab(false) else { return };
         show_action_buttons(app, ui);
         let height = screen.height() - 150.0;
-        egui::ScrollArea::vertical().max_height(height).auto_shrink([false, true]).show(ui, |ui| {
+        // What is too wide scrolls sideways: the panel keeps its width, so that no row moves away from the pointer.
+        egui::ScrollArea::both().max_height(height).auto_shrink([false, true]).show(ui, |ui| {
             // Room for the scroll bar, whether it is shown or not: the rows do not move when it appears.
             ui.set_max_width(PANEL_WIDTH_POINTS - 14.0);
             show_tab(app, tab, ui);
@@ -230,6 +239,7 @@ fn text_field<T>(
     ui.with_layout(layout, |ui| {
         let right = right(ui);
         let field = egui::TextEdit::singleline(text).hint_text(hint).char_limit(most_letters);
+        let field = field.align(egui::Align2::LEFT_CENTER);
         (ui.add(field.desired_width(f32::INFINITY)).labelled_by(label.id), right)
     })
     .inner
@@ -272,6 +282,9 @@ fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
 }
 
 fn show_notices(app: &App, ui: &mut egui::Ui) {
+    for text in &app.news {
+        ui.label(text);
+    }
     let missing = app.params.look.sky.missing_file_notice();
     for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing) {
         ui.colored_label(egui::Color32::from_rgb(240, 200, 110), text);

@@ -2,20 +2,70 @@
 
 use super::super::accessible_names::with_accessible_name;
 use super::super::units::UnitScale;
+use super::touch;
 use crate::state::Params;
 use crate::state::fields::{Field, FieldKind, Group, InvalidValue};
 use crate::state::params::Units;
 
-/// Whether a search for `words` finds a parameter: each word occurs in its label, key, group or help text, in upper or
-/// lower case.
+/// Whether a search for `words` finds a parameter: each word, or another word for the same thing, occurs in its label,
+/// key, group or help text, in upper or lower case.
 pub fn matches_search(field: &Field, words: &str) -> bool {
-    let text = format!("{} {} {} {}", field.key, field.label, field.group.label(), field.help).to_lowercase();
-    words.to_lowercase().split_whitespace().all(|word| text.contains(word))
+    has_all_words(&format!("{} {} {} {}", field.key, field.label, field.group.label(), field.help), words)
+}
+
+/// Other words for what the texts of the parameters say.
+const SYNONYMS: &[(&str, &[&str])] = &[
+    ("color", &["colour"]),
+    ("gray", &["grey"]),
+    ("meter", &["metre"]),
+    ("sunset", &["sun height", "sun by"]),
+    ("sunrise", &["sun height", "sun by"]),
+    ("dusk", &["sun height"]),
+    ("beaufort", &["wind"]),
+    ("storm", &["wind", "clouds"]),
+    ("mist", &["fog"]),
+    ("quality", &["render scale", "fft size"]),
+    ("resolution", &["render scale", "fft size"]),
+    ("zoom", &["field of view"]),
+    ("lens", &["field of view"]),
+    ("whitecap", &["foam"]),
+    ("direction", &["azimuth", "heading", "from"]),
+];
+
+/// Whether each of the words occurs in a text, or another word for it, in upper or lower case.
+pub fn has_all_words(text: &str, words: &str) -> bool {
+    let text = text.to_lowercase();
+    let has_synonym = |word: &str| {
+        let mut others = SYNONYMS.iter().filter(|(known, _)| word.starts_with(known)).flat_map(|(_, others)| *others);
+        others.any(|other| text.contains(other))
+    };
+    words.to_lowercase().split_whitespace().all(|word| text.contains(word) || has_synonym(word))
+}
+
+/// Width of a slider beside its label, points: label, slider and number then fit the panel.
+const GRID_SLIDER_POINTS: f32 = 96.0;
+/// Size of the sentence that says why a row has no effect, points.
+pub const REASON_TEXT_POINTS: f32 = 11.5;
+/// Width of the sentence below a row that says why it has no effect, points.
+const REASON_WIDTH_POINTS: f32 = 190.0;
+
+/// Explains a widget of the panel in a tooltip at the panel's left side, or above it: a tooltip below it would cover the
+/// next rows, and what the widget changes.
+pub fn explain(ui: &egui::Ui, response: egui::Response, text: &str) -> egui::Response {
+    let row = response.rect.with_min_x(ui.clip_rect().left()).with_max_x(ui.clip_rect().right());
+    let is_open = egui::Tooltip::should_show_tooltip(&response, true);
+    let mut tooltip = egui::Tooltip::for_widget(&response);
+    let places = &[egui::RectAlign::TOP_START, egui::RectAlign::BOTTOM_START];
+    tooltip.popup =
+        tooltip.popup.open(is_open).anchor(row).align(egui::RectAlign::LEFT_START).align_alternatives(places);
+    tooltip.show(|ui| ui.label(text));
+    response
 }
 
 /// Adds the rows of the parameters `fields` of a group.
 pub fn show_group(params: &mut Params, group: Group, fields: &[&'static Field], ui: &mut egui::Ui) {
     let units = params.screen.units;
+    ui.spacing_mut().slider_width = GRID_SLIDER_POINTS;
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
         for field in fields {
             show_field_row(params, field, units, ui);
@@ -26,17 +76,29 @@ pub fn show_group(params: &mut Params, group: Group, fields: &[&'static Field], 
 
 fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::Ui) {
     let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
-    let help = format!(
+    let mut help = format!(
         "{}\n{} = {}{unit}, default {}",
         field.help,
         field.key,
         field.allowed_values_text(),
         field.format(field.default_value())
     );
-    let label = ui.label(field.label).on_hover_text(&help);
+    let inactive = field.inactive_because(params);
+    if let Some(why) = inactive {
+        help = format!("No effect now. {}\n\n{help}", why.reason);
+    }
+    let label = ui.add_enabled(inactive.is_none(), egui::Label::new(field.label));
+    let label = explain(ui, label, &help);
     let before = (field.get)(params);
     let mut value = before;
-    value_editor(field, &mut value, units, ui).labelled_by(label.id).on_hover_text(&help);
+    ui.vertical(|ui| {
+        let editor = ui.add_enabled_ui(inactive.is_none(), |ui| value_editor(field, &mut value, units, ui)).inner;
+        explain(ui, editor.labelled_by(label.id), &help);
+        if let Some(why) = inactive.filter(|_| touch::is_used(ui.ctx())) {
+            ui.set_max_width(REASON_WIDTH_POINTS);
+            ui.weak(egui::RichText::new(why.reason).size(REASON_TEXT_POINTS));
+        }
+    });
     let default = field.default_value();
     let undo = egui::Button::new("×").small().frame(false);
     let undo = with_accessible_name(
@@ -53,12 +115,19 @@ fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: 
     }
 }
 
-/// Adds a wide widget for one parameter. `label` is the widget that shows its name.
-pub fn show_value(params: &mut Params, field: &'static Field, label: egui::Id, ui: &mut egui::Ui) {
+/// Adds a wide widget for one parameter, disabled if `is_enabled` is false. `label` is the widget that shows its name.
+pub fn show_value(
+    params: &mut Params,
+    field: &'static Field,
+    (label, is_enabled): (egui::Id, bool),
+    ui: &mut egui::Ui,
+) {
     let before = (field.get)(params);
     let mut value = before;
     ui.spacing_mut().slider_width = slider_width(ui);
-    value_editor(field, &mut value, params.screen.units, ui).labelled_by(label).on_hover_text(field.help);
+    let units = params.screen.units;
+    let editor = ui.add_enabled_ui(is_enabled, |ui| value_editor(field, &mut value, units, ui)).inner;
+    explain(ui, editor.labelled_by(label), field.help);
     if value != before {
         let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.check_value(value) else { return };
         (field.set)(params, v);
@@ -73,16 +142,22 @@ pub fn slider_width(ui: &egui::Ui) -> f32 {
 fn value_editor(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui) -> egui::Response {
     match field.kind {
         FieldKind::Number { min, max, log } => number_editor(field, value, (min, max, log), units, ui),
-        FieldKind::Heading => ui.add(egui::Slider::new(value, 0.0..=360.0).suffix("°").max_decimals(1)),
+        FieldKind::Heading => {
+            let before = *value;
+            let response = ui.add(egui::Slider::new(value, 0.0..=360.0).suffix("°").max_decimals(1));
+            touch::keep_value_while_scrolling(ui, &response, value, before);
+            response
+        }
         FieldKind::Integer { min, max } if max > 1000 => {
             ui.add(egui::DragValue::new(value).range(f64::from(min)..=f64::from(max)).max_decimals(0))
         }
-        FieldKind::Integer { min, max } => ui.add(with_unit_and_zero_word(
-            field,
-            egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer(),
-            1.0,
-            units,
-        )),
+        FieldKind::Integer { min, max } => {
+            let before = *value;
+            let slider = egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer();
+            let response = ui.add(with_unit_and_zero_word(field, slider, 1.0, units));
+            touch::keep_value_while_scrolling(ui, &response, value, before);
+            response
+        }
         FieldKind::Choice(words) => {
             let mut index = *value as usize;
             let response = egui::ComboBox::from_id_salt(field.key)
@@ -121,16 +196,16 @@ fn number_editor(
     let slider =
         egui::Slider::new(&mut shown, min * scale.factor..=max * scale.factor).logarithmic(log).smart_aim(true);
     let response = ui.add(with_unit_and_zero_word(field, slider, scale.factor, units));
+    touch::keep_value_while_scrolling(ui, &response, &mut shown, before);
     if shown != before {
-        // More digits would only make the link longer.
-        let digits = if scale.factor == 1.0 { shown } else { round_to_significant_digits(shown / scale.factor) };
-        *value = digits;
+        // More digits would only make the link longer; typed in knots, 25 is 12.8611 m/s.
+        *value = round_to_significant_digits(shown / scale.factor);
     }
     response
 }
 
 /// Rounds a number to six significant digits.
-fn round_to_significant_digits(x: f64) -> f64 {
+pub fn round_to_significant_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
@@ -170,4 +245,24 @@ fn with_unit_and_zero_word<'a>(
             let zero = !field.zero_word.is_empty() && text.trim().eq_ignore_ascii_case(field.zero_word);
             if zero { Some(0.0) } else { scale.parse(text) }
         })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::fields;
+
+    #[test]
+    fn other_words_for_the_same_thing_are_found() {
+        let finds = |words: &str, key: &str| matches_search(fields::find(key).expect("a parameter"), words);
+        assert!(finds("color", "suncolour") && finds("sun color", "suncolour") && finds("sunset", "sun"));
+        assert!(finds("colour", "suncolour") && finds("Beaufort", "wind") && finds("whitecaps", "foam"));
+        assert!(!finds("color", "hs") && !finds("sunset", "hs") && !finds("fog", "hs"));
+    }
+
+    #[test]
+    fn numbers_keep_six_digits() {
+        assert_eq!(round_to_significant_digits(12.861_111_111_111_112), 12.8611);
+        assert_eq!((round_to_significant_digits(4000.0), round_to_significant_digits(0.0)), (4000.0, 0.0));
+    }
 }

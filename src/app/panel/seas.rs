@@ -51,6 +51,7 @@ impl OwnSeas {
 /// Adds buttons for the built-in and the user's own named seas, and widgets that keep, forget and export the latter.
 pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
     let mut chosen = None;
+    let shown = app.shown_sea_name();
     for preset in presets::built_in() {
         // The first sentence says what one sees; the rest and the source are for those who ask.
         let says = preset.about.split_inclusive(['.', ':']).next().unwrap_or_default().trim_end_matches(['.', ':']);
@@ -63,7 +64,8 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
         };
         job.append(&format!("{}\n", preset.name), 0.0, format(15.0, ui.visuals().strong_text_color()));
         job.append(says, 0.0, format(12.5, ui.visuals().weak_text_color()));
-        let card = egui::Button::new(job).min_size(egui::vec2(ui.available_width(), 0.0));
+        let is_shown = shown == Some(preset.name.as_str());
+        let card = egui::Button::new(job).selected(is_shown).min_size(egui::vec2(ui.available_width(), 0.0));
         let card = ui.add(card).on_hover_text(format!("{}\n{}", preset.about, preset.source));
         if with_accessible_name(card, &preset.name).clicked() {
             chosen = Some(preset.clone());
@@ -127,14 +129,15 @@ pub fn show_seed_row(app: &mut App, ui: &mut egui::Ui) {
 }
 
 impl App {
-    /// Opens a named sea in place of the current one. Light, camera and seed change only if its state string sets them,
-    /// and a locked seed never changes.
-    fn open_preset(&mut self, preset: &Preset) {
+    /// Opens a named sea in place of the current one, with its light and foam. Camera and seed change only if its state
+    /// string sets them, and a locked seed never changes.
+    pub(super) fn open_preset(&mut self, preset: &Preset) {
         let seed = self.params.sea.seed;
         let (params, notices) = preset.apply(&self.params);
         self.params = params;
         self.params.look.sky.adopt_loaded_image(self.sky.as_ref());
-        self.notices = notices;
+        (self.notices, self.restarts_foam) = (notices, true);
+        self.news.clear();
         if self.panel.seed_locked {
             self.params.sea.seed = seed;
         }

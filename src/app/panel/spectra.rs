@@ -17,8 +17,8 @@ impl App {
             spectrum.directional_table().map_or(String::new(), |t| format!(" x {} directions", t.direction_count()));
         let bands = spectrum.bands().len();
         let title = list.title(used);
-        self.notices = vec![format!("{title}: {bands} bands{directions}, Hs {:.2} m", spectrum.hs_m())];
-        self.notices.extend(list.notices.iter().chain(&list.records[used].notices).cloned());
+        self.news = vec![format!("{title}: {bands} bands{directions}, Hs {:.2} m", spectrum.hs_m())];
+        self.notices = list.notices.iter().chain(&list.records[used].notices).cloned().collect();
         self.params.sea.set_measured_spectrum(spectrum);
         if count > 1 {
             self.panel.open(Tab::Study);
@@ -56,8 +56,8 @@ pub fn show_spectrum_list(app: &mut App, ui: &mut egui::Ui) {
     });
     if let Some(i) = chosen {
         let spectrum = list.records[i].spectrum.clone();
-        app.notices = vec![format!("{}: Hs {:.2} m", list.title(i), spectrum.hs_m())];
-        app.notices.extend(list.records[i].notices.iter().cloned());
+        app.news = vec![format!("{}: Hs {:.2} m", list.title(i), spectrum.hs_m())];
+        app.notices.clone_from(&list.records[i].notices);
         app.params.sea.set_measured_spectrum(spectrum);
     }
     if keeps {

@@ -10,6 +10,9 @@ use crate::state::fields::{FIELDS, Field, Group};
 /// Adds the widgets of the tab.
 pub fn show_study(app: &mut App, ui: &mut egui::Ui) {
     numbers::show_main_statistics(app, ui);
+    if let Some(note) = &app.derived.plan.resolution_note {
+        ui.weak(note);
+    }
     spectra::show_spectrum_list(app, ui);
     show_parameters(app, ui);
     ui.separator();
@@ -26,8 +29,8 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         let search = &mut app.panel.search;
         let searching = !search.is_empty();
         let (_, clears) = text_field(ui, "Search", search, ("all parameters", MAX_TEXT_CHARS), |ui| {
-            with_accessible_name(ui.add_enabled(searching, egui::Button::new("×").small()), "Clear the search")
-                .clicked()
+            let clear = egui::Button::new("×").min_size(egui::Vec2::splat(ui.spacing().interact_size.y.max(24.0)));
+            with_accessible_name(ui.add_enabled(searching, clear), "Clear the search").clicked()
         });
         if clears {
             search.clear();
@@ -36,7 +39,13 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
     let words = app.panel.search.trim().to_owned();
     let searching = !words.is_empty();
     let added = app.panel.added_system.take();
-    let mut any = false;
+    let seas = if searching { App::seas_with_words(&words) } else { Vec::new() };
+    let mut any = !seas.is_empty();
+    for sea in seas {
+        if ui.button(format!("Sea: {}", sea.name)).on_hover_text(&sea.about).clicked() {
+            app.open_preset(sea);
+        }
+    }
     for group in Group::ALL {
         if group == Group::Water && !searching {
             systems::show_add_button(app, ui);
@@ -64,7 +73,7 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         });
     }
     if !any {
-        ui.weak("No parameter has these words.");
+        ui.weak("No parameter and no named sea has these words.");
     }
 }
 

@@ -6,6 +6,9 @@ use super::weather::compass_point;
 use super::{Tab, has_room};
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
+/// Largest width of a sentence over the sea, points.
+const MAX_SENTENCE_POINTS: f32 = 260.0;
+
 /// One line about the sea for screen readers, such as `Hs 2.4 m, Beaufort 5`: significant wave height and Beaufort
 /// number.
 #[cfg(target_arch = "wasm32")]
@@ -34,9 +37,12 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             let from = compass_point(app.params.sea.first_system().from_deg);
             let wind = format!("{name}, {} from {from}", speed.format(wind_m_s, 1));
             let waves = format!("waves {} high, every {:.0} s", metres.format(t.hs_m, 1), t.tp_s);
-            let keeps_up =
-                format!("t = {:.0} s, {:.0} frames/s", app.params.clock.t_s, app.quality.frames_per_second());
+            let (ms, rate) = (app.quality.frame_ms(), app.quality.frames_per_second());
+            let keeps_up = format!("t = {:.0} s, {ms:.1} ms a frame, {rate:.0} frames/s", app.params.clock.t_s);
+            let ([width, height], n) = (app.picture_size(), app.params_to_draw().grid.n);
+            let pixels = format!("{n} x {n} points, {width} x {height} pixels");
             let quality = app.quality.describe();
+            let reduction = app.quality.reduction_in_words(&app.params.screen);
             let mut line = |ui: &mut egui::Ui, text: egui::RichText, help: &str, tab: Tab| {
                 let label = egui::Label::new(text).sense(egui::Sense::click());
                 let label = ui.add(label).on_hover_text(help).on_hover_cursor(egui::CursorIcon::PointingHand);
@@ -53,6 +59,14 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             let help = "Significant wave height Hs, the mean of the highest third, and period Tp of the peak.";
             line(ui, white(waves, 14.0), help, Tab::Study);
             line(ui, white(keeps_up, 12.0), &format!("Simulated time. Picture: {quality}."), Tab::View);
+            let quiet = |text: String| egui::RichText::new(text).size(11.0).color(egui::Color32::from_gray(220));
+            let help = "Points of the waves' grids (FFT size n), and pixels of the picture that are computed.";
+            line(ui, quiet(pixels), help, Tab::Study);
+            if let Some(reduction) = reduction {
+                ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Wrap);
+                ui.set_max_width(MAX_SENTENCE_POINTS);
+                line(ui, quiet(reduction), "A slow machine draws fewer pixels; a stopped sea has all.", Tab::Study);
+            }
         });
     });
 }

@@ -35,18 +35,25 @@ fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
         for kind in FloatingObjectKind::ALL {
             let on = app.placing == Some(kind);
             let help = "Then click on the sea where it shall be moored.";
-            if ui.selectable_label(on, format!("Moor a {}", kind.word())).on_hover_text(help).clicked() {
+            let button = egui::Button::new(format!("Moor a {}", kind.word())).selected(on);
+            if ui.add(button).on_hover_text(help).clicked() {
                 app.placing = (!on).then_some(kind);
             }
         }
     });
+    if app.placing.is_some() {
+        ui.strong("Now click the water where it shall float.");
+    }
     let mut lifted = None;
     for (i, float) in app.params.floating_objects.iter().enumerate() {
         ui.horizontal(|ui| {
             let height = app.derived.strongest_waves().sample(float.x_m, float.z_m, app.params.clock.t_s).height_m;
             let metres = app.length_scale();
-            let [east, south] = [float.x_m, float.z_m].map(|x| metres.format(x, 0));
-            ui.label(format!("{} at {east} east, {south} south: {}", float.kind.word(), metres.format(height, 2)));
+            let [east, south] = [float.x_m, float.z_m];
+            let side =
+                |x: f64, words: [&str; 2]| format!("{} {}", metres.format(x.abs(), 0), words[usize::from(x < 0.0)]);
+            let (east, south) = (side(east, ["east", "west"]), side(south, ["south", "north"]));
+            ui.label(format!("{} at {east}, {south}: {}", float.kind.word(), metres.format(height, 2)));
             let cross = ui.small_button("×").on_hover_text("Lifts it out of the water.");
             if with_accessible_name(cross, &format!("Lift {} {}", float.kind.word(), i + 1)).clicked() {
                 lifted = Some(i);

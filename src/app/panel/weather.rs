@@ -3,9 +3,9 @@
 use super::super::App;
 use super::super::accessible_names::with_accessible_value;
 use super::super::units::UnitScale;
-use super::rows;
+use super::{rows, touch};
 use crate::state::Params;
-use crate::state::fields;
+use crate::state::fields::{self, Group};
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// Names of the sixteen points of the compass, clockwise from north.
@@ -90,12 +90,21 @@ fn show_rows(app: &mut App, ui: &mut egui::Ui, rows: &[Row]) {
         let Some(field) = fields::find(row.key) else { continue };
         let meaning = (row.meaning)(&app.params);
         ui.add_space(4.0);
+        // A slider of the swell switches it on, so it has an effect also while there is no swell.
+        let is_swell = field.group == Group::SecondSystem;
+        let inactive = field.inactive_because(&app.params).filter(|_| !is_swell);
         let label = ui.horizontal(|ui| {
-            let label = ui.label(row.label).on_hover_text(field.help);
-            ui.weak(meaning);
+            let label = ui.add_enabled(inactive.is_none(), egui::Label::new(row.label));
+            let label = rows::explain(ui, label, field.help);
+            if inactive.is_none() {
+                ui.weak(meaning);
+            }
             label.id
         });
-        rows::show_value(&mut app.params, field, label.inner, ui);
+        if let Some(why) = inactive {
+            ui.weak(egui::RichText::new(why.reason).size(rows::REASON_TEXT_POINTS));
+        }
+        rows::show_value(&mut app.params, field, (label.inner, inactive.is_none()), ui);
     }
 }
 
@@ -110,20 +119,24 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
         ui.strong("Wind");
         ui.weak(format!("force {force}, {}", BEAUFORT_FORCES[force].name.to_lowercase()));
     });
-    let mut number = force;
+    let mut number = force as f64;
     ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = rows::slider_width(ui);
-        let slider = egui::Slider::new(&mut number, 0..=12).show_value(false);
+        let slider = egui::Slider::new(&mut number, 0.0..=12.0).integer().show_value(false);
         let help = "Sets the wind of this force, and a fetch for which the sea is as high as the scale says.";
-        with_accessible_value(ui.add(slider).on_hover_text(help), "Beaufort", number as f64);
+        let slider = ui.add(slider);
+        touch::keep_value_while_scrolling(ui, &slider, &mut number, force as f64);
+        rows::explain(ui, with_accessible_value(slider, "Beaufort", number), help);
         let mut shown = wind_m_s * speed.factor;
         let exact = egui::DragValue::new(&mut shown).range(0.0..=60.0 * speed.factor).speed(0.1).max_decimals(1);
         let exact = exact.suffix(speed.suffix()).custom_parser(move |text| parse_wind(text, speed));
         let exact = with_accessible_value(ui.add(exact), "Wind speed", wind_m_s);
         if exact.on_hover_text("Wind speed 10 m above the sea; 25 kn, 12 m/s and 7 bft are understood.").changed() {
-            app.params.sea.systems[0].wind_m_s = shown / speed.factor;
+            // Six digits: typed as 25 kn, the link has `wind=12.8611`.
+            app.params.sea.systems[0].wind_m_s = rows::round_to_significant_digits(shown / speed.factor);
         }
     });
+    let number = number.round() as usize;
     if number != force {
         app.params = BEAUFORT_FORCES[number].apply(&app.params);
     }

@@ -49,7 +49,9 @@ fn facing_sun_factor(scene: &Scene) -> f64 {
     let angle_deg = sun.dot(scene.view.forward).clamp(-1.0, 1.0).acos().to_degrees();
     // The sun's surroundings are bright until it is some degrees below the horizon.
     let up = ((sun.y.asin().to_degrees() + 3.0) / 6.0).clamp(0.0, 1.0);
-    let brightness = up * (1.0 - sky.overcast).powi(2) * (-(angle_deg / 30.0).powi(2)).exp();
+    // A sky image contains its own clouds.
+    let overcast = if sky.panorama().is_some() { 0.0 } else { sky.overcast };
+    let brightness = up * (1.0 - overcast).powi(2) * (-(angle_deg / 30.0).powi(2)).exp();
     1.0 / (1.0 + 1.6 * brightness)
 }
 

@@ -43,10 +43,9 @@ pub struct Preset {
 /// What happens to a parameter when the user chooses a preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ApplyRule {
-    /// Parameters of wind, waves, water or foam: always set, to the default where the preset does not name them.
-    Sea,
-    /// Parameters of sun, sky, colours or film: all are set if the preset names one of them, else all are kept.
-    Light,
+    /// Parameters of wind, waves, water, foam, sun, sky, colours or film: always set, to the default where the preset
+    /// does not name them. Otherwise a calm sea chosen after a hurricane would keep its fog and its clouds.
+    SeaAndLight,
     /// Parameters of the camera: set only where the preset names them.
     Camera,
     /// Parameters of time, resolution, views and window: never changed by a preset.
@@ -55,10 +54,15 @@ enum ApplyRule {
 
 fn apply_rule(group: Group) -> ApplyRule {
     match group {
-        Group::Sea | Group::SecondSystem | Group::ThirdSystem | Group::FourthSystem | Group::Water | Group::Foam => {
-            ApplyRule::Sea
-        }
-        Group::Sky | Group::Surface | Group::Film => ApplyRule::Light,
+        Group::Sea
+        | Group::SecondSystem
+        | Group::ThirdSystem
+        | Group::FourthSystem
+        | Group::Water
+        | Group::Foam
+        | Group::Sky
+        | Group::Surface
+        | Group::Film => ApplyRule::SeaAndLight,
         Group::Camera => ApplyRule::Camera,
         Group::Grid | Group::View | Group::Clock | Group::Screen => ApplyRule::NeverSet,
     }
@@ -78,10 +82,10 @@ pub fn is_preset_file(text: &str) -> bool {
 
 impl Preset {
     /// Makes a preset `name` of the waves and the light of `params`, without a description. Camera, time, resolution,
-    /// views and default values are left out, so a sea in default light sets no light.
+    /// views and default values are left out.
     pub fn from_params(name: &str, params: &Params) -> Self {
         let mut carried = Params::default();
-        for field in FIELDS.iter().filter(|f| matches!(apply_rule(f.group), ApplyRule::Sea | ApplyRule::Light)) {
+        for field in FIELDS.iter().filter(|f| apply_rule(f.group) == ApplyRule::SeaAndLight) {
             copy_field(field, params, &mut carried);
         }
         carried.sea.measured.clone_from(&params.sea.measured);
@@ -92,22 +96,18 @@ impl Preset {
     /// Returns the parameters `now` changed to this preset, and one notice for each value of its state string that was
     /// not taken as written.
     ///
-    /// Wind, waves, water, foam and the buoy's spectrum are reset and then set by the preset; the seed is kept unless
-    /// the preset names it. Sun, sky, colours and film are reset and set only if the preset names one of them. The
-    /// camera changes only where it is named. Time, resolution and views are kept. The image of a sky file is kept if
-    /// the preset names the same file; [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice)
+    /// Wind, waves, water, foam, the buoy's spectrum, sun, sky, colours and film are reset and then set by the preset;
+    /// the seed is kept unless the preset names it. The camera changes only where it is named. Time, resolution, views
+    /// and the window's settings are kept. The image of a sky file is kept if the preset names the same file; [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice)
     /// tells whether it is missing.
     pub fn apply(&self, now: &Params) -> (Params, Vec<String>) {
         let query::ParsedState { params: wanted, keys_taken, mut notices } = query::parse_with_keys(&self.state);
         let named = |field: &Field| keys_taken.contains(&field.key);
-        let light = keys_taken.contains(&query::SKY_KEY)
-            || FIELDS.iter().any(|f| apply_rule(f.group) == ApplyRule::Light && named(f));
         let mut next = now.clone();
         let mut left = Vec::new();
         for field in FIELDS.iter() {
             let set = match apply_rule(field.group) {
-                ApplyRule::Sea => field.key != SEED_KEY || named(field),
-                ApplyRule::Light => light,
+                ApplyRule::SeaAndLight => field.key != SEED_KEY || named(field),
                 ApplyRule::Camera => named(field),
                 ApplyRule::NeverSet => false,
             };
@@ -118,15 +118,19 @@ impl Preset {
             }
         }
         next.sea.measured = wanted.sea.measured;
-        if light {
-            let loaded = std::mem::replace(&mut next.look.sky.file, wanted.look.sky.file);
-            next.look.sky.adopt_loaded_image(loaded.as_ref());
-        }
+        let loaded = std::mem::replace(&mut next.look.sky.file, wanted.look.sky.file);
+        next.look.sky.adopt_loaded_image(loaded.as_ref());
         if !left.is_empty() {
             let left = left.join(", ");
             notices.push(format!("a named sea does not set these parameters, they keep their values: {left}"));
         }
         (next, notices)
+    }
+
+    /// Whether the sea and the light of `params` are those of this preset.
+    pub fn shows_sea_of(&self, params: &Params) -> bool {
+        let (applied, _) = self.apply(params);
+        (applied.sea, applied.look) == (params.sea.clone(), params.look.clone())
     }
 
     /// Removes control characters and surrounding white space from all texts, and cuts all but the state string to
