@@ -14,6 +14,7 @@ mod view;
 mod weather;
 
 use super::accessible_names::with_accessible_name;
+use super::saved_picture::PictureChoice;
 use super::{App, icons};
 use crate::files::measured::SpectrumList;
 use crate::state::fields::Group;
@@ -83,6 +84,10 @@ pub struct Panel {
     search: String,
     /// Text in the field into which the user types or pastes a link to open.
     link: String,
+    /// How pictures are saved.
+    pub picture: PictureChoice,
+    /// Length of a film, s, if the user has chosen one.
+    pub film_s: Option<f64>,
     /// Wave system that has just been switched on, whose section the next frame expands.
     added_system: Option<Group>,
     /// Whether the seed of the random phases stays the same when a named sea is opened or everything is reset.
