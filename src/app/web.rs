@@ -46,7 +46,13 @@ impl WebHandle {
     /// # Errors
     /// One sentence, if WebGPU cannot be used. The caller may try again.
     pub async fn start(&self, canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
-        let options = eframe::WebOptions { wgpu_options: setup::wgpu_configuration(), ..Default::default() };
+        let mut options = eframe::WebOptions { wgpu_options: setup::wgpu_configuration(), ..Default::default() };
+        if is_framed() {
+            // A finger that moves up or down scrolls the other page, so its first touches stay the browser's, too.
+            options.should_prevent_default = Box::new(|event| {
+                !matches!(event, egui::Event::PointerButton { pressed: true, .. } | egui::Event::PointerMoved(_))
+            });
+        }
         if let Some(mut host) = self.runner.app_mut::<AppHost>() {
             host.park(&self.parked);
         }

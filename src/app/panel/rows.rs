@@ -130,7 +130,7 @@ fn number_editor(
 }
 
 /// Rounds a number to six significant digits.
-fn round_to_significant_digits(x: f64) -> f64 {
+pub fn round_to_significant_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 

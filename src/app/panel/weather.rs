@@ -121,7 +121,7 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
         let exact = exact.suffix(speed.suffix()).custom_parser(move |text| parse_wind(text, speed));
         let exact = with_accessible_value(ui.add(exact), "Wind speed", wind_m_s);
         if exact.on_hover_text("Wind speed 10 m above the sea; 25 kn, 12 m/s and 7 bft are understood.").changed() {
-            app.params.sea.systems[0].wind_m_s = shown / speed.factor;
+            app.params.sea.systems[0].wind_m_s = rows::round_to_significant_digits(shown / speed.factor);
         }
     });
     if number != force {
