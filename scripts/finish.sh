@@ -32,10 +32,17 @@ if [ -n "${SEASTATE_URL:-}" ]; then
   edit "s|\(property=\"og:image\" content=\"\)still.jpg|\1${SEASTATE_URL%/}/still.jpg|" index.html
 fi
 
+# Files for other pages are not part of the offline copy.
 files=()
+for_others=()
 for file in *; do
   # Folders hold what is fetched only when it is wanted.
-  [ "$file" = index.html ] || [ -d "$file" ] || files+=("$file")
+  [ -d "$file" ] && continue
+  case $file in
+    index.html) ;;
+    sea-state.* | examples.*) for_others+=("$file") ;;
+    *) files+=("$file") ;;
+  esac
 done
 
 sum=$(integrity index.html)
@@ -55,5 +62,9 @@ policy=$(sed -n 's/.*http-equiv="Content-Security-Policy" content="\([^"]*\)".*/
       *) age='public, max-age=3600' ;;
     esac
     printf '/%s\n  Cache-Control: %s\n' "$file" "$age"
+  done
+  for file in "${for_others[@]}"; do
+    # Scripts of other sites may load the element, as a module, which browsers allow only with this header.
+    printf '/%s\n  Cache-Control: no-cache\n  Access-Control-Allow-Origin: *\n' "$file"
   done
 } >_headers

@@ -82,7 +82,7 @@ const UNSEEN: &[(&str, &str)] = &[
     ("speed", "how fast the time runs: tests/app.rs lets it run"),
     ("normsteps", "one step is exact to the seventh digit: few_steps_are_felt in waves/spreading.rs"),
     ("pause", "whether it runs: tests/app.rs stops it"),
-    ("ui", "the panel alone: tests/app.rs hides it"),
+    ("ui", "the panel and captions alone: tests/app.rs hides it"),
     ("textsize", "the panel alone: tests/app.rs enlarges it"),
     ("units", "the panel alone: tests/app.rs changes them"),
     ("lang", "the panel alone: tests/languages.rs changes it"),

@@ -6,6 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use seastate::app::App;
 use seastate::state::fields::{FIELDS, Field, FieldKind};
+use seastate::state::params::Interface;
 use seastate::state::{Params, query};
 
 /// Two values that differ from the default; twice the same if there is only one.
@@ -128,7 +129,7 @@ fn the_panel_sets_every_parameter_and_takes_it_back() {
                 harness.run_steps(2);
             }
         }
-        if !params(&harness).screen.panel {
+        if params(&harness).screen.interface != Interface::Panel {
             continue;
         }
         // A link to the state opens exactly this value.

@@ -5,7 +5,7 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use seastate::app::App;
-use seastate::state::params::CameraMode;
+use seastate::state::params::{CameraMode, Interface};
 use seastate::state::{Params, query};
 use seastate::waves::noise::pcg4d;
 use std::io::{BufRead, BufReader};
@@ -253,9 +253,9 @@ fn the_window_is_used_as_a_person_does() {
 
     // H hides and shows the panel; V shows a view, and Escape leaves the view before it closes the window.
     desk.key("h");
-    desk.look_for("no panel", |p| !p.screen.panel);
+    desk.look_for("no panel", |p| p.screen.interface == Interface::None);
     desk.key("h");
-    desk.look_for("a panel", |p| p.screen.panel);
+    desk.look_for("a panel", |p| p.screen.interface == Interface::Panel);
     desk.key("v");
     desk.look_for("a view", |p| p.look.view != first.look.view);
     desk.key("Escape");

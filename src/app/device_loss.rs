@@ -9,6 +9,7 @@ use super::{App, setup};
 use crate::gpu::Gpu;
 use crate::ocean::{Ocean, OutputKind};
 use crate::state::Params;
+use crate::state::params::Interface;
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -118,7 +119,7 @@ impl App {
                 "The graphics card is short of memory, so the picture is less sharp: close other programs or tabs and \
                  start again.",
             );
-        } else if self.params.screen.panel {
+        } else if self.params.screen.interface == Interface::Panel {
             self.show_brief_message("The graphics card was lost for a moment; the sea goes on.");
         }
         Ok(())

@@ -1,6 +1,7 @@
 //! Keyboard shortcuts: their table (docs/using.md has it, too), their actions, and the help window with the table.
 
 use super::{App, camera, caption, panel};
+use crate::state::params::Interface;
 use egui::{Key, Modifiers};
 
 /// Table of the help window: each key or gesture, and what it does.
@@ -73,7 +74,8 @@ impl App {
             panel::time::step_clock(clock, -1.0);
         }
         if plain(Key::H) {
-            self.params.screen.panel = !self.params.screen.panel;
+            let interface = &mut self.params.screen.interface;
+            *interface = if *interface == Interface::Panel { Interface::None } else { Interface::Panel };
         }
         if plain(Key::L) {
             self.copy_link();

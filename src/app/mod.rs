@@ -5,6 +5,7 @@ mod camera;
 mod caption;
 mod derived;
 pub mod device_loss;
+mod film;
 mod governor;
 mod gpu_errors;
 mod history;
@@ -13,14 +14,17 @@ pub mod keys;
 pub mod language;
 mod measurements;
 mod message;
+mod mini;
 mod mooring;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
 mod opened_files;
 mod panel;
+mod picture_caption;
 mod plots;
 mod quality;
 mod report;
+mod saved_picture;
 #[cfg(target_arch = "wasm32")]
 mod screen_readers;
 pub mod setup;
@@ -36,7 +40,7 @@ pub mod web;
 use crate::gpu::Gpu;
 use crate::point::buoy_record::BuoyRecord;
 use crate::state::look::SkyFile;
-use crate::state::params::Screen;
+use crate::state::params::{Interface, Screen};
 use crate::state::{Params, floats, query, rounding};
 use crate::waves::SeaChange;
 use derived::DerivedSeaData;
@@ -63,8 +67,8 @@ pub struct App {
     ctx: egui::Context,
     gpu_errors: GpuErrors,
     frames: u64,
-    /// Contents of files dropped on the window. They arrive when reading has finished.
-    dropped_files: tasks::Inbox<opened_files::OpenedFiles>,
+    /// Contents of files that the user opens. They arrive when reading has finished.
+    opened_files: tasks::Inbox<opened_files::OpenedFiles>,
     panel: panel::Panel,
     own_seas: panel::OwnSeas,
     history: history::History,
@@ -80,6 +84,13 @@ pub struct App {
     rounded_pose: Option<rounding::CameraAndPausedTime>,
     /// Parameters of the last drawn picture, and its width and height in pixels; `None` before the first one.
     drawn: Option<(Params, [u32; 2])>,
+    /// Whether the last drawn picture had all its pixels, waves and light, and not less, to keep up.
+    drawn_is_whole: bool,
+    /// The picture that is being drawn to be saved.
+    picture_job: Option<saved_picture::PictureJob>,
+    /// The film that is being recorded.
+    #[cfg(target_arch = "wasm32")]
+    film: Option<film::Film>,
     /// Record of the height of the sea, m above still water, at the first floating object, else below the camera.
     record: BuoyRecord,
     /// Kind of floating object that the next click on the sea places; `None` if a click places nothing.
@@ -139,7 +150,7 @@ impl App {
             ctx: cc.egui_ctx.clone(),
             gpu_errors,
             frames: 0,
-            dropped_files: tasks::Inbox::default(),
+            opened_files: tasks::Inbox::default(),
             panel: panel::Panel::default(),
             own_seas,
             history: history::History::default(),
@@ -149,6 +160,10 @@ impl App {
             text_size: 1.0,
             message: None,
             drawn: None,
+            drawn_is_whole: false,
+            picture_job: None,
+            #[cfg(target_arch = "wasm32")]
+            film: None,
             rounded_pose: Some(rounding::camera_pose(&params)),
             record: BuoyRecord::default(),
             placing: None,
@@ -236,7 +251,7 @@ impl App {
     /// Advances the simulated time by the wall-clock time since the last frame times the clock's speed, which the user
     /// sets. Time stands still while the user has stopped the clock, and until the GPU has finished the first picture.
     fn advance_time(&mut self, ctx: &egui::Context) {
-        if self.params.clock.paused || self.progress.is_first_picture_pending() {
+        if self.stands_still() || self.progress.is_first_picture_pending() {
             return;
         }
         let dt = f64::from(ctx.input(|i| i.stable_dt)).min(MAX_TIME_STEP_S);
@@ -276,7 +291,10 @@ impl App {
 impl eframe::App for App {
     fn logic(&mut self, _ctx: &egui::Context, _frame: &mut eframe::Frame) {
         #[cfg(target_arch = "wasm32")]
-        self.sync_address_and_state();
+        {
+            self.sync_address_and_state();
+            self.write_tab_title();
+        }
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
@@ -289,8 +307,11 @@ impl eframe::App for App {
             self.notices.push(reason);
         }
         self.apply_text_size(&ctx);
+        self.advance_picture_job();
         self.handle_keys(&ctx);
         self.advance_time(&ctx);
+        #[cfg(target_arch = "wasm32")]
+        self.advance_film();
         self.take_opened_files(&ctx);
         self.take_save_results();
         self.watch_history(&ctx);
@@ -304,38 +325,50 @@ impl eframe::App for App {
             let times = FrameTimes {
                 interval_s,
                 gpu: self.frame_measurements.take_gpu_time(),
-                time_is_stopped: self.params.clock.paused,
+                time_is_stopped: self.stands_still(),
                 has_extra_work: self.progress.is_replaying_foam_or_fading(),
             };
             self.quality.adapt(times, &self.params.screen);
         }
-        if self.params.screen.panel {
+        let interface = if self.is_filming() { Interface::None } else { self.params.screen.interface };
+        if interface == Interface::Panel {
             panel::show_bottom_sheet(self, ui);
         }
         let params = self.params_to_draw();
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
-        let is_adaptive = self.params.screen.adaptive && !self.params.clock.paused;
+        let is_adaptive = self.params.screen.adaptive && !self.stands_still();
         let level = is_adaptive.then(|| self.quality.level());
         let frame = (level, std::mem::take(&mut self.restarts_foam));
         // The number of pixels does not depend on the size of the text.
         let (zoom, density) = (ctx.zoom_factor(), ctx.native_pixels_per_point().unwrap_or(1.0));
-        let pixels = |points: egui::Vec2| self.quality.picture_size(points * zoom, density, &params.screen, limit);
+        let asked = self.picture_job.as_ref().and_then(|job| job.size);
+        let pixels = |points: egui::Vec2| {
+            let usual = || self.quality.picture_size(points * zoom, density, &params.screen, limit);
+            asked.map_or_else(usual, |size| size.map(|side| side.min(limit)))
+        };
         // Clicks on the sea are sensed only while an object is to be placed: with them, egui would take a finger that
         // rests before it drags for a long press.
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
         let (response, size) =
             viewport::show_sea(ui, &params, (&self.progress, &self.frame_measurements), sense, frame, pixels);
-        // A saved picture remembers the user's choice of the light, not the tier of this moment.
-        self.drawn = Some((Params { screen: self.params.screen.clone(), ..params }, size));
+        // A saved picture remembers the user's choices, not what this machine can draw at this moment.
+        self.drawn = Some((self.params.clone(), size));
+        self.drawn_is_whole = self.quality.is_full(&self.params.screen);
         self.place_floating_object(&response, &ctx);
         camera::apply_pointer_to_camera(&mut self.params.camera, &response, &ctx);
         caption::show_view_caption(&self.params, &self.derived.plan, &ctx);
-        if self.params.screen.panel {
-            panel::show_panel(self, &ctx);
-            panel::show_summary(self, &ctx);
+        match interface {
+            Interface::None => {}
+            Interface::Panel => {
+                panel::show_panel(self, &ctx);
+                panel::show_summary(self, &ctx);
+            }
+            Interface::Mini => mini::show_caption(self, &ctx),
         }
         keys::show_keyboard_help(&mut self.help_is_open, &ctx);
-        self.draw_message(&ctx);
+        if !self.is_filming() {
+            self.draw_message(&ctx);
+        }
         opened_files::show_drop_hint(&ctx);
         if self.progress.wants_frame() {
             ctx.request_repaint();

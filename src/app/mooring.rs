@@ -11,6 +11,15 @@ const MAX_FLOATING_OBJECT_DISTANCE_M: f64 = 3000.0;
 const WATER_INTERSECTION_ITERATIONS: usize = 8;
 
 impl App {
+    /// Heights of the sea above the still water, m, at `places` (x and z of one point after the other, m) and the
+    /// simulated time `t_s`, s, or the present, from the strongest waves.
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn heights_m(&self, places: &[f64], t_s: Option<f64>) -> Vec<f64> {
+        let (sea, level_m) = (self.derived.strongest_waves(), self.params.sea.still_water_level_m);
+        let t_s = t_s.unwrap_or(self.params.clock.t_s);
+        places.chunks_exact(2).map(|place| sea.sample(place[0], place[1], t_s).height_m - level_m).collect()
+    }
+
     /// Places a buoy at the pointer when B is pressed, or, after a choice in the panel, that object where the sea is
     /// clicked. A message says if there is no water or no room for more.
     pub(super) fn place_floating_object(&mut self, response: &egui::Response, ctx: &egui::Context) {

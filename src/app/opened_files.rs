@@ -1,16 +1,32 @@
-//! Files dropped on the window or the page: spectra of a buoy or a wave model, a sky image, a saved picture or a list of seas.
+//! Files that are dropped on the window or the page, or chosen in a dialog: spectra of a buoy or a wave model, a sky image, a saved
+//! picture or a list of seas.
 
 #[cfg(target_arch = "wasm32")]
 use super::tasks;
 use super::{App, tasks::Inbox};
 use crate::files::measured::{MAX_FILES_PER_SPECTRUM, MeasuredSpectrum};
-use crate::files::{input, panorama, picture};
+use crate::files::panorama::{self, Panorama};
+use crate::files::{input, picture};
 use crate::state::look::SkyFile;
 use crate::state::presets;
 use egui::DroppedFileHandle;
 use std::sync::Arc;
 
-/// Result of reading the files that the user dropped at once: name and contents of each, or a sentence that says why
+/// What can be opened, in words, for the panel.
+pub const OPENABLE_FILES: &str = "A sky (.hdr, .exr), a picture saved here, a file of seas, or a spectrum: a buoy's \
+    (NDBC text, Spotter JSON, CSV) or a wave model's (SWAN, WAVEWATCH III, ERA5). Dropping works, too.";
+/// Extensions of the files that the dialog offers first. Files of NDBC have others, which its second filter shows.
+#[cfg(not(target_arch = "wasm32"))]
+const USUAL_EXTENSIONS: [&str; 13] =
+    ["hdr", "exr", "png", "txt", "csv", "json", "nc", "spc", "sp2", "spec", "data_spec", "swden", "spt"];
+/// A buoy's spectrum to try: swell and a wind sea (assets/spectra).
+const SAMPLE_SPECTRUM: (&str, &str) = ("two-systems.txt", include_str!("../../assets/spectra/two-systems.txt"));
+/// Name of the sky to try.
+const SAMPLE_SKY_NAME: &str = "sample-dusk.hdr";
+/// Width and height of the sky to try, pixels.
+const SAMPLE_SKY_SIZE: [usize; 2] = [256, 128];
+
+/// Result of reading the files that the user opened at once: name and contents of each, or a sentence that says why
 /// they cannot be read.
 pub type OpenedFiles = Result<Vec<(String, Vec<u8>)>, String>;
 
@@ -34,22 +50,28 @@ fn read_dropped_files(inbox: &Inbox<OpenedFiles>, handles: &[DroppedFileHandle],
 /// Reads files that were dropped on the web page, and puts their contents into `inbox` when they are read.
 #[cfg(target_arch = "wasm32")]
 fn read_dropped_files(inbox: &Inbox<OpenedFiles>, handles: &[DroppedFileHandle], ctx: &egui::Context) {
-    let (inbox, handles, ctx) = (inbox.clone(), handles.to_vec(), ctx.clone());
+    read_web_files(inbox, handles.iter().filter_map(|h| h.web_file().cloned()).collect(), ctx);
+}
+
+/// Reads files of the browser, and puts their contents into `inbox` when they are read.
+#[cfg(target_arch = "wasm32")]
+pub fn read_web_files(inbox: &Inbox<OpenedFiles>, handles: Vec<web_sys::File>, ctx: &egui::Context) {
+    let (inbox, ctx) = (inbox.clone(), ctx.clone());
     tasks::spawn(async move {
         let mut files = Vec::new();
-        for handle in &handles {
-            let name = handle.path().to_string_lossy().into_owned();
+        for file in &handles {
+            let name = file.name();
             // The size is checked before the file is read: a large video would fill the tab's memory.
-            let size = handle.web_file().map_or(0.0, |f| f.size());
+            let size = file.size();
             if size > input::max_file_bytes(&name) as f64 {
                 let reason = format!(
                     "{name}: too large for any file that Seastate reads: a spectrum (16 MiB) or a sky (.hdr, .exr)"
                 );
                 return inbox.put(Err(reason), &ctx);
             }
-            match handle.bytes_async().await {
-                Ok(bytes) => files.push((name, bytes)),
-                Err(reason) => return inbox.put(Err(format!("cannot read {name}: {reason}")), &ctx),
+            match wasm_bindgen_futures::JsFuture::from(file.array_buffer()).await {
+                Ok(buffer) => files.push((name, js_sys::Uint8Array::new(&buffer).to_vec())),
+                Err(reason) => return inbox.put(Err(format!("cannot read {name}: {reason:?}")), &ctx),
             }
         }
         inbox.put(Ok(files), &ctx);
@@ -62,13 +84,74 @@ impl App {
     pub(super) fn take_opened_files(&mut self, ctx: &egui::Context) {
         let handles = ctx.input(|i| i.raw.dropped_files.clone());
         if handles.len() > MAX_FILES_PER_SPECTRUM {
-            self.notices =
-                vec![format!("a buoy has at most {MAX_FILES_PER_SPECTRUM} files: {} were dropped", handles.len())];
+            self.refuse_many_files(handles.len());
         } else if !handles.is_empty() {
-            read_dropped_files(&self.dropped_files, &handles, ctx);
+            read_dropped_files(&self.opened_files, &handles, ctx);
         }
-        let Some(files) = self.dropped_files.take().pop() else { return };
-        if let Err(reason) = files.and_then(|files| self.open_files(&files)) {
+        let Some(files) = self.opened_files.take().pop() else { return };
+        match files {
+            Ok(files) => self.open_or_notify(&files),
+            Err(reason) => self.notices = vec![reason],
+        }
+    }
+
+    fn refuse_many_files(&mut self, count: usize) {
+        self.notices = vec![format!("a buoy has at most {MAX_FILES_PER_SPECTRUM} files: {count} were opened")];
+    }
+
+    /// Lets the user choose files to open, with the system's dialog. They are opened when they have been read.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn choose_files(&self) {
+        let dialog = rfd::AsyncFileDialog::new()
+            .set_title("Open a sky, a spectrum, a picture or seas")
+            .add_filter("Skies, spectra, pictures and seas", &USUAL_EXTENSIONS)
+            .add_filter("All files", &["*"]);
+        // The dialog is made on this thread, as macOS demands, and waited for on another.
+        let (chosen, inbox, ctx) = (dialog.pick_files(), self.opened_files.clone(), self.ctx.clone());
+        super::tasks::spawn(async move {
+            let paths: Vec<_> = chosen.await.unwrap_or_default().iter().map(|file| file.path().to_owned()).collect();
+            if paths.len() > MAX_FILES_PER_SPECTRUM {
+                let most = MAX_FILES_PER_SPECTRUM;
+                inbox.put(Err(format!("a buoy has at most {most} files: {} were opened", paths.len())), &ctx);
+            } else if !paths.is_empty() {
+                inbox.put(input::read_all(&paths), &ctx);
+            }
+        });
+    }
+
+    /// Lets the user choose files to open: clicks the page's file input, whose files come back by [`Self::open_chosen`].
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn choose_files(&self) {
+        super::web::tell_page("seastate-choose-files");
+    }
+
+    /// Opens the files that the user has chosen in the page's file input.
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn open_chosen(&mut self, files: Vec<web_sys::File>) {
+        if files.len() > MAX_FILES_PER_SPECTRUM {
+            self.refuse_many_files(files.len());
+        } else {
+            read_web_files(&self.opened_files, files, &self.ctx);
+        }
+        self.ctx.request_repaint();
+    }
+
+    /// Opens the sample spectrum.
+    pub(super) fn open_sample_spectrum(&mut self) {
+        let (name, text) = SAMPLE_SPECTRUM;
+        self.open_or_notify(&[(name.to_owned(), text.as_bytes().to_vec())]);
+    }
+
+    /// Makes the sample sky that of the sea: clear, with a low sun.
+    pub(super) fn open_sample_sky(&mut self) {
+        match sample_sky() {
+            Ok(file) => self.use_sky_file(file),
+            Err(reason) => self.notices = vec![reason],
+        }
+    }
+
+    fn open_or_notify(&mut self, files: &[(String, Vec<u8>)]) {
+        if let Err(reason) = self.open_files(files) {
             self.notices = vec![reason];
         }
     }
@@ -119,6 +202,25 @@ impl App {
         self.params.look.sky.file = Some(file.clone());
         self.sky = Some(file);
     }
+}
+
+/// A sky of dusk to try: orange at the horizon around the sun, blue above, in relative units of light.
+fn sample_sky() -> Result<SkyFile, String> {
+    let [width, height] = SAMPLE_SKY_SIZE;
+    let (sun_x, sun_y) = (0.5 * width as f64, 0.44 * height as f64);
+    let pixel = |i: usize| {
+        let (x, y) = ((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
+        let up = (1.0 - 2.0 * y / height as f64).clamp(0.0, 1.0);
+        let from_sun = (x - sun_x).hypot(y - sun_y) / height as f64;
+        let (glow, band) = ((-9.0 * from_sun).exp(), (-7.0 * up).exp());
+        let sky = [0.05, 0.13, 0.32];
+        let dusk = [0.75, 0.36, 0.16];
+        let sun = if from_sun < 0.012 { 900.0 } else { 0.0 };
+        [0, 1, 2].map(|c| (sky[c] + dusk[c] * (0.45 * band + 1.6 * glow) + sun * [1.0, 0.62, 0.35][c]) as f32)
+    };
+    let image = Panorama::new(width, height, (0..width * height).map(pixel).collect())?;
+    let file = SkyFile::from_path(SAMPLE_SKY_NAME).ok_or("the sky's file has no name")?;
+    Ok(SkyFile { image: Some(Arc::new(image)), ..file })
 }
 
 /// Draws a list of the kinds of files that can be dropped, while the user drags files over the window.

@@ -96,6 +96,11 @@ impl AdaptiveQuality {
         if is_lean && !self.time_is_stopped { Detail::Lean } else { Detail::Full }
     }
 
+    /// Whether the present frame is drawn with all pixels, waves and light that the user has chosen.
+    pub fn is_full(&self, screen: &Screen) -> bool {
+        self.time_is_stopped || !screen.adaptive || self.governor.level() == 0
+    }
+
     /// Number that tells apart the qualities between which the governor chooses.
     pub fn level(&self) -> u32 {
         self.governor.level()

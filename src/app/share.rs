@@ -1,11 +1,14 @@
-//! Ways to share a sea: links, HTML for embedding, saved pictures and saved wave maps.
+//! Ways to share a sea: links, HTML for embedding and saved wave maps.
 
 use super::{App, storage, tasks};
-use crate::files::picture;
-use crate::gpu::offscreen::PendingPicture;
 use crate::ocean::{Ocean, maps_file};
-use crate::state::{Params, query, rounding::with_rounded_pose};
-use crate::waves::Plan;
+use crate::state::params::Interface;
+use crate::state::{query, rounding::with_rounded_pose};
+use crate::waves::{Plan, beaufort};
+
+/// Address of a page in the HTML that the desktop window copies: the window does not know where the page is served.
+#[cfg(not(target_arch = "wasm32"))]
+const EXAMPLE_PAGE: &str = "https://example.org/seastate/";
 
 impl App {
     /// The link to the current sea: the page's address with the state string; on the desktop the bare state string.
@@ -16,27 +19,70 @@ impl App {
         self.state()
     }
 
+    /// The sea in a few words, such as `Force 5 sea, waves 1.9 m high`.
+    pub(super) fn sea_in_words(&self) -> String {
+        let force = beaufort::beaufort_number(self.params.sea.first_system().wind_m_s);
+        let height = self.length_scale().format(self.derived.theoretical_statistics.hs_m, 1);
+        format!("Force {force} sea, waves {height} high")
+    }
+
+    /// Title of the browser's tab, such as `Force 5, 1.9 m: Seastate`.
+    #[cfg(target_arch = "wasm32")]
+    pub(super) fn tab_title(&self) -> String {
+        let force = beaufort::beaufort_number(self.params.sea.first_system().wind_m_s);
+        format!("Force {force}, {}: Seastate", self.length_scale().format(self.derived.theoretical_statistics.hs_m, 1))
+    }
+
     /// Copies the link to the current sea to the clipboard.
     pub(super) fn copy_link(&mut self) {
         self.ctx.copy_text(self.link());
         self.show_brief_message("Link copied.");
     }
 
-    /// Copies the HTML of an iframe that shows the sea in another web page, without the panel.
-    pub(super) fn copy_iframe(&mut self) {
+    /// Copies a line for a message to a friend: the sea in words, and the link to it.
+    pub(super) fn copy_link_with_words(&mut self) {
+        self.ctx.copy_text(format!("{}: {}", self.sea_in_words(), self.link()));
+        self.show_brief_message("Link copied, with a line about the sea.");
+    }
+
+    /// The link to the current sea with what is shown over it: on the page its address, on the desktop one of a made-up
+    /// page, whose place the user fills in.
+    fn page_link_with(&self, interface: Interface) -> String {
         let mut params = with_rounded_pose(&self.params);
-        params.screen.panel = false;
+        params.screen.interface = interface;
         let state = query::write_to_keep(&params);
         #[cfg(target_arch = "wasm32")]
-        let link = super::web::page_link(&state);
+        return super::web::page_link(&state);
         #[cfg(not(target_arch = "wasm32"))]
-        let link = format!("https://example.org/seastate/?{state}");
-        let link = link.replace('&', "&amp;");
+        format!("{EXAMPLE_PAGE}?{state}")
+    }
+
+    /// The link to the current sea with the panel.
+    pub(super) fn whole_page_link(&self) -> String {
+        self.page_link_with(Interface::Panel)
+    }
+
+    /// Copies the HTML of an iframe that shows the sea in another web page, with a caption instead of the panel.
+    pub(super) fn copy_iframe(&mut self) {
+        let link = self.page_link_with(Interface::Mini).replace('&', "&amp;");
         self.ctx.copy_text(format!(
-            "<iframe src=\"{link}\" title=\"Seastate\" width=\"960\" height=\"540\" style=\"border:0\" \
-             allow=\"fullscreen\" loading=\"lazy\"></iframe>"
+            "<iframe src=\"{link}\" title=\"{}\" width=\"960\" height=\"540\" style=\"border:0\" \
+             allow=\"fullscreen\" loading=\"lazy\"></iframe>",
+            self.sea_in_words()
         ));
         self.show_brief_message("Frame copied: paste it into a page.");
+    }
+
+    /// Copies the HTML of the element `<sea-state>`, which a script of the page can talk to (docs/embed.md).
+    pub(super) fn copy_element(&mut self) {
+        let link = self.page_link_with(Interface::Mini);
+        let (page, state) = link.split_once('?').unwrap_or((&link, ""));
+        let state = state.replace('&', "&amp;");
+        self.ctx.copy_text(format!(
+            "<script type=\"module\" src=\"{page}sea-state.js\"></script>\n\
+             <sea-state state=\"{state}\" style=\"width: 100%; aspect-ratio: 16 / 9\"></sea-state>"
+        ));
+        self.show_brief_message("Element copied: paste it into a page.");
     }
 
     /// Opens the sea of a link or of a bare state string. A text without any known key leaves the sea as it is, and the
@@ -52,27 +98,6 @@ impl App {
         if self.notices.is_empty() {
             self.show_brief_message("Opened.");
         }
-    }
-
-    /// Saves the current picture as a PNG that contains its state string. The result arrives later in `save_results`.
-    pub(super) fn save_picture(&mut self) {
-        let Some((params, size)) = self.drawn.clone() else { return };
-        let params = with_rounded_pose(&params);
-        let (state, link) = (query::write_to_keep(&params), self.link());
-        let gpu = self.gpu();
-        let format = self.render_state.target_format;
-        let encoder = gpu.encoder("screenshot");
-        let made = {
-            let renderer = self.render_state.renderer.read();
-            let Some(ocean) = renderer.callback_resources.get::<Ocean>() else { return };
-            PendingPicture::submit(&gpu, encoder, format, size, |pass| ocean.present(pass))
-        };
-        let (inbox, ctx, name) = (self.save_results.clone(), self.ctx.clone(), picture_name(&params));
-        let folder = self.save_folder.clone();
-        tasks::spawn(async move {
-            let made = made.read(&gpu).await.and_then(|pixels| picture::encode(size, &pixels, &state, &link));
-            inbox.put(made.and_then(|png| storage::save(folder.as_deref(), &name, &png)), &ctx);
-        });
     }
 
     /// Saves the wave maps of the current moment as an OpenEXR file. The result arrives later in `save_results`.
@@ -108,9 +133,4 @@ impl App {
             Err(reason) => self.notices.push(reason),
         }
     }
-}
-
-/// File name of a saved picture, with wind speed (m/s) and time (s), such as `seastate-wind14-t40.png`.
-fn picture_name(params: &Params) -> String {
-    format!("seastate-wind{:.0}-t{:.0}.png", params.sea.first_system().wind_m_s, params.clock.t_s)
 }

@@ -46,7 +46,13 @@ impl WebHandle {
     /// # Errors
     /// One sentence, if WebGPU cannot be used. The caller may try again.
     pub async fn start(&self, canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
-        let options = eframe::WebOptions { wgpu_options: setup::wgpu_configuration(), ..Default::default() };
+        let mut options = eframe::WebOptions { wgpu_options: setup::wgpu_configuration(), ..Default::default() };
+        if is_framed() {
+            // A finger that moves up or down scrolls the other page, so its first touches stay the browser's, too.
+            options.should_prevent_default = Box::new(|event| {
+                !matches!(event, egui::Event::PointerButton { pressed: true, .. } | egui::Event::PointerMoved(_))
+            });
+        }
         if let Some(mut host) = self.runner.app_mut::<AppHost>() {
             host.park(&self.parked);
         }
@@ -84,6 +90,33 @@ impl WebHandle {
     /// Replaces all parameters by those of a state string. Keys that are missing there get their default values.
     pub fn set_state(&self, state: &str) {
         self.with_app(|app| app.set_state(state));
+    }
+
+    /// The current parameters as the state string of a link, with a version where one is needed; empty if the app does not
+    /// run.
+    pub fn link_state(&self) -> String {
+        self.with_app(|app| query::write_to_keep(&with_rounded_pose(&app.params))).unwrap_or_default()
+    }
+
+    /// The sea in a few words, such as `Force 5 sea, waves 1.9 m high`; empty if the app does not run.
+    pub fn sea_in_words(&self) -> String {
+        self.with_app(|app| app.sea_in_words()).unwrap_or_default()
+    }
+
+    /// Heights of the sea above the still water, m, at points and a time, from its strongest waves. `places` holds x
+    /// (east) and z (south) of one point after the other, m; `t_s` is the simulated time, s, without one the present.
+    pub fn heights(&self, places: &[f64], t_s: Option<f64>) -> Vec<f64> {
+        self.with_app(|app| app.heights_m(places, t_s)).unwrap_or_default()
+    }
+
+    /// Opens files, which the user has chosen, as if they had been dropped on the page.
+    pub fn open_files(&self, files: Vec<web_sys::File>) {
+        self.with_app(|app| app.open_chosen(files));
+    }
+
+    /// Shows a message for a few seconds.
+    pub fn show_message(&self, text: &str) {
+        self.with_app(|app| app.show_brief_message(text));
     }
 
     /// Number of frames that the app has laid out and painted since it was created, also while simulated time is
@@ -243,6 +276,20 @@ fn accessible_item_object(item: &AccessibleItem) -> JsValue {
     ])
 }
 
+/// Sends an event to the page's scripts.
+pub fn tell_page(event: &str) {
+    if let (Some(window), Ok(event)) = (web_sys::window(), web_sys::Event::new(event)) {
+        // A listener that fails leaves the app as it is.
+        let _ = window.dispatch_event(&event);
+    }
+}
+
+/// Whether the page is shown in a frame of another page.
+fn is_framed() -> bool {
+    let parent = web_sys::window().and_then(|w| w.parent().ok().flatten());
+    parent.zip(web_sys::window()).is_some_and(|(parent, window)| parent != window)
+}
+
 /// Whether a media query fits this browser, such as that the user has asked for reduced motion.
 fn media_matches(query: &str) -> bool {
     let asked = web_sys::window().and_then(|w| w.match_media(query).ok().flatten());
@@ -296,12 +343,19 @@ pub struct Address {
     /// than time and camera changes, a new entry is added.
     history_entry_params: Params,
     last_write: Instant,
+    /// Title of the browser's tab as the app last wrote it.
+    title: String,
 }
 
 impl Address {
     /// Reads the page's address at the start of the app, whose parameters are `params`.
     pub fn new(params: &Params) -> Self {
-        Self { query: address_query(), history_entry_params: with_rounded_pose(params), last_write: Instant::now() }
+        Self {
+            query: address_query(),
+            history_entry_params: with_rounded_pose(params),
+            last_write: Instant::now(),
+            title: String::new(),
+        }
     }
 }
 
@@ -310,6 +364,17 @@ impl App {
     fn announcement(&self) -> String {
         let sea = super::panel::sea_summary(self);
         self.message.as_ref().map_or_else(|| sea.clone(), |message| format!("{sea}. {}", message.text))
+    }
+
+    /// Makes the sea in words the title of the browser's tab.
+    pub(super) fn write_tab_title(&mut self) {
+        let title = self.tab_title();
+        if title != self.address.title
+            && let Some(document) = web_sys::window().and_then(|w| w.document())
+        {
+            document.set_title(&title);
+            self.address.title = title;
+        }
     }
 
     /// Keeps the state string in the page's address and the app's parameters equal. After back or forward it opens the
@@ -345,7 +410,8 @@ impl App {
         };
         let address = page_link(&state);
         let Some(history) = web_sys::window().and_then(|w| w.history().ok()) else { return };
-        let written = if same_entry == now {
+        // In a frame, entries would make the visitor leave the other page by "back" only after many steps.
+        let written = if same_entry == now || is_framed() {
             history.replace_state_with_url(&JsValue::NULL, "", Some(&address))
         } else {
             history.push_state_with_url(&JsValue::NULL, "", Some(&address))

@@ -313,13 +313,12 @@ impl<P> FieldDescription<P> {
         let text = text.trim();
         match self.kind {
             FieldKind::Choice(words) => {
-                words.iter().position(|w| w.eq_ignore_ascii_case(text)).map(|i| i as f64).ok_or(InvalidValue::Ignored)
+                let position = |word: &str| words.iter().position(|w| w.eq_ignore_ascii_case(word)).map(|i| i as f64);
+                // A choice that has the words 0 and 1 was once a flag.
+                let as_flag = || flag_value(text).and_then(|on| position(if on { "1" } else { "0" }));
+                position(text).or_else(as_flag).ok_or(InvalidValue::Ignored)
             }
-            FieldKind::Flag => match text {
-                "1" | "true" | "yes" | "on" | "" => Ok(1.0),
-                "0" | "false" | "no" | "off" => Ok(0.0),
-                _ => Err(InvalidValue::Ignored),
-            },
+            FieldKind::Flag => flag_value(text).map(|on| f64::from(u8::from(on))).ok_or(InvalidValue::Ignored),
             FieldKind::Colour if !self.zero_word.is_empty() && text.eq_ignore_ascii_case(self.zero_word) => Ok(0.0),
             FieldKind::Colour => {
                 let digits = text.strip_prefix('#').unwrap_or(text);
@@ -363,6 +362,15 @@ impl<P> FieldDescription<P> {
             FieldKind::Colour if !self.zero_word.is_empty() => format!("{}, or a colour as rrggbb", self.zero_word),
             FieldKind::Colour => "a colour as rrggbb".to_owned(),
         }
+    }
+}
+
+/// Value of a flag's text in a state string; `None` if it is no such text.
+fn flag_value(text: &str) -> Option<bool> {
+    match text {
+        "1" | "true" | "yes" | "on" | "" => Some(true),
+        "0" | "false" | "no" | "off" => Some(false),
+        _ => None,
     }
 }
 

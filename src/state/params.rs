@@ -162,11 +162,24 @@ choice_enum! {
     }
 }
 
+choice_enum! {
+    /// What is shown over the sea.
+    pub enum Interface {
+        /// Nothing.
+        None = "0",
+        /// The panel, and the sea in words.
+        Panel = "1",
+        /// A caption that opens the whole page, and a button for the time: for a sea in a frame of another page.
+        Mini = "mini",
+    }
+}
+
 parameters! {
     /// Display settings of the window or web page. They change neither the sea nor its light nor the camera.
     pub struct Screen {
-        /// Shows the control panel (key H); 0 hides it, as suits a page that is embedded in another.
-        panel: bool = true => ("ui", "Panel", "", Flag),
+        /// What is shown over the sea: 1, the control panel (key H); 0, nothing; mini, a caption with a link to the whole
+        /// page and a button that stops the time, as suits a small frame in another page.
+        interface: Interface = Interface::Panel => ("ui", "Interface", "", Choice(Interface::WORDS)),
         /// Units of the control panel: metric, or feet, nautical miles and knots. The state string is always metric.
         units: Units = Units::Metric => ("units", "Units", "", Choice(Units::WORDS)),
         /// Language of the interface; auto is that of the system or the browser.

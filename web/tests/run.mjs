@@ -7,6 +7,7 @@ import { parseArgs, promisify } from 'node:util';
 import { brotliCompress, constants } from 'node:zlib';
 import { NAMES, launch } from './browsers.mjs';
 import { explorer } from './explorer.mjs';
+import { frames } from './frames.mjs';
 import { ladder } from './ladder.mjs';
 import { losses } from './losses.mjs';
 import { odds } from './odds.mjs';
@@ -17,12 +18,12 @@ import { serve } from './server.mjs';
 
 const USAGE = `usage: node run.mjs [--browser NAME] [--group NAME] [--only 'TEXT|TEXT'] [--dist DIR]
   --browser NAME  only chromium or firefox
-  --group NAME    only one group of tests: sea, explorer, readers, losses, odds, offline or ladder
+  --group NAME    only one group of tests: sea, explorer, frames, readers, losses, odds, offline or ladder
   --only TEXTS    only tests with one of these texts in their name
   --dist DIR      folder of the built page (default: dist)
 The native program must be built, too: target/debug/seastate, or the path in SEASTATE_BIN.`;
 
-const GROUPS = { sea, explorer, readers, losses, odds, offline, ladder };
+const GROUPS = { sea, explorer, frames, readers, losses, odds, offline, ladder };
 const top = fileURLToPath(new URL('../..', import.meta.url));
 const out = fileURLToPath(new URL('out', import.meta.url));
 

@@ -16,6 +16,7 @@ mod view;
 mod weather;
 
 use super::accessible_names::with_accessible_name;
+use super::saved_picture::PictureChoice;
 use super::{App, icons};
 use crate::files::measured::SpectrumList;
 use crate::state::fields::Group;
@@ -87,6 +88,10 @@ pub struct Panel {
     link: String,
     /// The named sea that is shown, see [`App::shown_sea_name`](super::App::shown_sea_name).
     shown_sea: chosen::ShownSea,
+    /// How pictures are saved.
+    pub picture: PictureChoice,
+    /// Length of a film, s, if the user has chosen one.
+    pub film_s: Option<f64>,
     /// Wave system that has just been switched on, whose section the next frame expands.
     added_system: Option<Group>,
     /// Whether the seed of the random phases stays the same when a named sea is opened or everything is reset.

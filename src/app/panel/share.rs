@@ -1,23 +1,57 @@
-//! The panel's tab for sharing a sea: link, picture, frame and maps.
+//! The panel's tab for sharing a sea: link, picture, film, files, and HTML for other pages.
 
 use super::super::accessible_names::with_accessible_name;
+use super::super::film::MAX_FILM_S;
+use super::super::opened_files::OPENABLE_FILES;
+use super::super::saved_picture::PictureSize;
 use super::super::{App, icons};
 use super::{button_with_help, text_field};
 
-/// Adds the widgets of the tab: copy and open a link, save a picture, copy an iframe, save the wave maps.
+/// Adds the widgets of the tab.
 pub fn show_share_buttons(app: &mut App, ui: &mut egui::Ui) {
+    show_links(app, ui);
+    ui.separator();
+    show_picture(app, ui);
+    ui.separator();
+    show_film(app, ui);
+    ui.separator();
+    ui.strong("Open");
+    show_open_buttons(app, ui);
+    ui.separator();
+    show_embedding(app, ui);
+}
+
+/// Adds the button that opens files, says what can be opened, and adds two samples to try.
+pub fn show_open_buttons(app: &mut App, ui: &mut egui::Ui) {
+    ui.horizontal_wrapped(|ui| {
+        if ui.button("Open a file…").clicked() {
+            app.choose_files();
+        }
+        let help = "Waves that a buoy measured: an example of such a file.";
+        if button_with_help(ui, "Try a spectrum", help) {
+            app.open_sample_spectrum();
+        }
+        let help = "A sky of dusk: an example of a sky from a picture, which links name but do not contain.";
+        if button_with_help(ui, "Try a sky", help) {
+            app.open_sample_sky();
+        }
+    });
+    ui.weak(OPENABLE_FILES);
+}
+
+fn show_links(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
         let link = format!("{} Copy link", icons::LINK);
         let help = "Copies the state of this sea and camera (L).";
         if with_accessible_name(ui.button(link).on_hover_text(help), "Copy link").clicked() {
             app.copy_link();
         }
-        let picture = format!("{} Picture", icons::PICTURE);
-        let help = "Saves a PNG that remembers its sea: drop it here to return (P).";
-        if with_accessible_name(ui.button(picture).on_hover_text(help), "Picture").clicked() {
-            app.save_picture();
+        let help = "Copies a line for a message: the sea in words, and its link.";
+        if button_with_help(ui, "Copy link with words", help) {
+            app.copy_link_with_words();
         }
     });
+    ui.weak(format!("\u{201c}{}: …\u{201d}", app.sea_in_words()));
     ui.label("The address of the page is always the whole sea: send it, bookmark it, go back and forward.");
     ui.horizontal(|ui| {
         let hint = ("paste an address here", crate::files::MAX_STATE_BYTES);
@@ -28,14 +62,72 @@ pub fn show_share_buttons(app: &mut App, ui: &mut egui::Ui) {
             app.open_link(&link);
         }
     });
-    if button_with_help(ui, "Copy frame", "Copies an <iframe> that shows this sea in another page, without the panel.")
-    {
-        app.copy_iframe();
-    }
-    let maps =
-        "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.";
-    if button_with_help(ui, "Save maps", maps) {
-        app.save_maps();
-    }
-    ui.weak("Drop a picture that was saved here to see its sea again.");
+}
+
+fn show_picture(app: &mut App, ui: &mut egui::Ui) {
+    ui.horizontal_wrapped(|ui| {
+        let picture = format!("{} Picture", icons::PICTURE);
+        let help = "Saves a PNG in full quality that remembers its sea: open it here to return (P).";
+        if with_accessible_name(ui.button(picture).on_hover_text(help), "Picture").clicked() {
+            app.save_picture();
+        }
+        let choice = &mut app.panel.picture;
+        let size = egui::ComboBox::from_id_salt("picture size").selected_text(choice.size.label()).width(120.0);
+        let size = size.show_ui(ui, |ui| {
+            for each in PictureSize::ALL {
+                ui.selectable_value(&mut choice.size, each, each.label());
+            }
+        });
+        with_accessible_name(size.response, "Size of the picture");
+        ui.checkbox(&mut choice.has_caption, "Caption").on_hover_text("The sea in words at the lower edge.");
+    });
+    ui.weak("Open a picture that was saved here to see its sea again.");
+}
+
+fn show_film(app: &mut App, ui: &mut egui::Ui) {
+    ui.horizontal_wrapped(|ui| {
+        let repeats = app.params.sea.repeat_period_s > 0.0;
+        let mut length_s = app.film_length_s();
+        #[cfg(target_arch = "wasm32")]
+        {
+            let moves = app.params.clock.speed > 0.0;
+            let record = ui.add_enabled(moves, egui::Button::new("Record a film"));
+            if record.on_hover_text("Records the sea as it moves, without the panel, as a WebM file.").clicked() {
+                app.begin_film();
+            }
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        if button_with_help(ui, "Copy film command", "Copies the command that draws the frames of a film.") {
+            app.copy_film_command();
+        }
+        let editor = egui::DragValue::new(&mut length_s).range(1.0..=MAX_FILM_S).max_decimals(1).suffix(" s");
+        let editor = ui.add_enabled(!repeats, editor);
+        if with_accessible_name(editor, "Length of the film").changed() {
+            app.panel.film_s = Some(length_s);
+        }
+        if repeats {
+            ui.weak("one period: the end fits the beginning");
+        }
+    });
+    #[cfg(not(target_arch = "wasm32"))]
+    ui.weak("seastate render --frames draws each frame of a film, however long it takes.");
+}
+
+fn show_embedding(app: &mut App, ui: &mut egui::Ui) {
+    ui.strong("In other pages and programs");
+    ui.horizontal_wrapped(|ui| {
+        let help = "Copies an <iframe> that shows this sea in another page, with a caption instead of the panel.";
+        if button_with_help(ui, "Copy frame", help) {
+            app.copy_iframe();
+        }
+        let help = "Copies a <sea-state> element: a frame that the page's scripts can set and ask (docs/embed.md).";
+        if button_with_help(ui, "Copy element", help) {
+            app.copy_element();
+        }
+        let help =
+            "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.";
+        if button_with_help(ui, "Save maps", help) {
+            app.save_maps();
+        }
+    });
 }

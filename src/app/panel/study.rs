@@ -3,8 +3,7 @@
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
 use super::super::plots;
-use super::{MAX_TEXT_CHARS, numbers, rows, seas, spectra, systems, text_field};
-use crate::state::Params;
+use super::{MAX_TEXT_CHARS, numbers, rows, seas, share, spectra, systems, text_field};
 use crate::state::fields::{FIELDS, Field, Group};
 
 /// Adds the widgets of the tab.
@@ -14,6 +13,7 @@ pub fn show_study(app: &mut App, ui: &mut egui::Ui) {
         ui.weak(note);
     }
     spectra::show_spectrum_list(app, ui);
+    egui::CollapsingHeader::new("Open a spectrum or a sky").show(ui, |ui| share::show_open_buttons(app, ui));
     show_parameters(app, ui);
     ui.separator();
     egui::CollapsingHeader::new("Plots").show(ui, |ui| plots::show_all_plots(app, ui));
@@ -65,7 +65,7 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         header.default_open(searching).open(expand).show(ui, |ui| {
             rows::show_group(&mut app.params, group, &fields, ui);
             match group {
-                Group::Sky if !searching => show_sky_file(&mut app.params, ui),
+                Group::Sky if !searching => show_sky_file(app, ui),
                 Group::Water if !searching => seas::show_seed_row(app, ui),
                 _ if !searching => systems::show_remove_button(&mut app.params, group, ui),
                 _ => {}
@@ -78,16 +78,18 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
 }
 
 /// Shows the name of the sky image file, and a button that returns to the computed sky.
-fn show_sky_file(params: &mut Params, ui: &mut egui::Ui) {
-    let Some(file) = &params.look.sky.file else {
-        ui.weak("Drop a .hdr or .exr file for another sky.");
+fn show_sky_file(app: &mut App, ui: &mut egui::Ui) {
+    let Some(file) = &app.params.look.sky.file else {
+        if ui.button("Open a sky…").on_hover_text("A .hdr or .exr file with the whole sky.").clicked() {
+            app.choose_files();
+        }
         return;
     };
     let name = file.name.clone();
     ui.horizontal(|ui| {
         ui.label(name);
         if ui.small_button("×").on_hover_text("Back to the computed sky.").clicked() {
-            params.look.sky.file = None;
+            app.params.look.sky.file = None;
         }
     });
 }
