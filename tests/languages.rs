@@ -61,8 +61,9 @@ fn english_texts() -> BTreeSet<String> {
     for field in FIELDS.iter() {
         texts.extend([field.label, field.help, field.zero_word, field.group.label()].map(str::to_owned));
     }
+    texts.extend(seastate::state::inactive::reasons().map(str::to_owned));
     for force in &BEAUFORT_FORCES {
-        texts.extend([force.name.to_lowercase(), force.appearance.to_owned()]);
+        texts.extend([force.name.to_owned(), force.appearance.to_owned()]);
     }
     texts.extend((0..200).map(|i| sea_state(0.1 * f64::from(i)).1.to_owned()));
     for preset in presets::built_in() {
@@ -100,8 +101,12 @@ fn every_language_has_every_text() {
         let path = folder.join(format!("{}-missing.json", language.word()));
         fs::write(&path, serde_json::to_string_pretty(&missing).expect("JSON")).expect("a file");
         if !(missing.is_empty() && needless.is_empty()) {
-            faults.push(format!("{}: {} texts are missing ({}); not used: {needless:?}",
-                language.word(), missing.len(), path.display()));
+            faults.push(format!(
+                "{}: {} texts are missing ({}); not used: {needless:?}",
+                language.word(),
+                missing.len(),
+                path.display()
+            ));
         }
         for (text, translation) in &translations {
             assert_eq!(places(text), places(translation), "{}: {text}", language.word());

@@ -1,6 +1,7 @@
 //! Moves the camera by mouse, touch and keyboard. Input over the panel does not move it.
 
 use super::App;
+use crate::app::language::tr;
 use crate::state::camera::deepest_dive_m;
 use crate::state::motion::{fly, orbit, rotate_camera, zoom};
 use crate::state::params::{Camera, CameraMode};
@@ -51,9 +52,9 @@ pub fn apply_pointer_to_camera(camera: &mut Camera, response: &egui::Response, c
 /// What the camera does in a mode, as a sentence for the user.
 pub fn mode_in_words(mode: CameraMode) -> &'static str {
     match mode {
-        CameraMode::Fly => "Camera: fly. A drag looks around, the keys fly.",
-        CameraMode::Orbit => "Camera: orbit. A drag turns around the sea in the middle.",
-        CameraMode::Buoy => "Camera: ride. It rises and sinks with the waves.",
+        CameraMode::Fly => tr("Camera: fly. A drag looks around, the keys fly."),
+        CameraMode::Orbit => tr("Camera: orbit. A drag turns around the sea in the middle."),
+        CameraMode::Buoy => tr("Camera: ride. It rises and sinks with the waves."),
     }
 }
 

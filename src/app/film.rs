@@ -2,6 +2,7 @@
 //! window shows the command that draws the frames of a film.
 
 use super::App;
+use crate::app::language::tr;
 
 /// Longest film, s of simulated time at the sea's own speed.
 pub const MAX_FILM_S: f64 = 600.0;
@@ -46,7 +47,7 @@ impl App {
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn copy_film_command(&mut self) {
         self.ctx.copy_text(self.film_command());
-        self.show_brief_message("Command copied: paste it into a terminal.");
+        self.show_brief_message(tr("Command copied: paste it into a terminal."));
     }
 
     /// Begins a film: the time runs, and the page records until it has advanced by the film's length.

@@ -1,32 +1,33 @@
 //! Keyboard shortcuts: their table (docs/using.md has it, too), their actions, and the help window with the table.
 
 use super::{App, camera, caption, panel};
+use crate::app::language::{text, tr};
 use crate::state::params::Interface;
 use egui::{Key, Modifiers};
 
 /// Table of the help window: each key or gesture, and what it does.
 pub const KEYBOARD_HELP: &[(&str, &str)] = &[
-    ("drag", "look around; in orbit, turn around the sea in the middle"),
-    ("wheel, pinch", "zoom; in orbit, come closer"),
-    ("W A S D, arrows", "fly over the water; with Shift faster"),
-    ("Q, E", "sink and rise; from the least height, dive and come up again"),
-    ("C", "camera: fly, orbit, ride on the water"),
-    ("Space", "stop and start the time"),
-    (". and ,", "one frame forward and back, standing still"),
-    ("Home", "back to time 0"),
-    ("B", "put a buoy where the pointer is"),
-    ("V", "views of spectra, maps and mesh; with Shift backwards; 0 to 4 choose a cascade"),
-    ("H", "hide and show the panel"),
-    ("L", "copy the link"),
-    ("P", "save a picture that remembers its sea"),
-    ("Ctrl+Z, Ctrl+Y", "undo and redo (Cmd on a Mac)"),
-    ("F1 or ?", "this list"),
-    ("Escape", "close this list, leave a view; then close the window"),
+    (text!("drag"), text!("look around; in orbit, turn around the sea in the middle")),
+    (text!("wheel, pinch"), text!("zoom; in orbit, come closer")),
+    (text!("W A S D, arrows"), text!("fly over the water; with Shift faster")),
+    (text!("Q, E"), text!("sink and rise; from the least height, dive and come up again")),
+    (text!("C"), text!("camera: fly, orbit, ride on the water")),
+    (text!("Space"), text!("stop and start the time")),
+    (text!(". and ,"), text!("one frame forward and back, standing still")),
+    (text!("Home"), text!("back to time 0")),
+    (text!("B"), text!("put a buoy where the pointer is")),
+    (text!("V"), text!("views of spectra, maps and mesh; with Shift backwards; 0 to 4 choose a cascade")),
+    (text!("H"), text!("hide and show the panel")),
+    (text!("L"), text!("copy the link")),
+    (text!("P"), text!("save a picture that remembers its sea")),
+    (text!("Ctrl+Z, Ctrl+Y"), text!("undo and redo (Cmd on a Mac)")),
+    (text!("F1 or ?"), text!("this list")),
+    (text!("Escape"), text!("close this list, leave a view; then close the window")),
 ];
 
 /// Shows the help window with the keyboard shortcuts while `open` is true. Closing the window sets `open` to false.
 pub fn show_keyboard_help(open: &mut bool, ctx: &egui::Context) {
-    egui::Window::new("Keys and gestures")
+    egui::Window::new(tr("Keys and gestures"))
         .open(open)
         .collapsible(false)
         .resizable(false)
@@ -39,13 +40,15 @@ pub fn show_keyboard_help(open: &mut bool, ctx: &egui::Context) {
         .show(ctx, |ui| {
             egui::Grid::new("keys").num_columns(2).striped(true).spacing([16.0, 6.0]).show(ui, |ui| {
                 for (key, does) in KEYBOARD_HELP {
-                    ui.strong(*key);
-                    ui.add(egui::Label::new(*does).wrap());
+                    ui.strong(tr(key));
+                    ui.add(egui::Label::new(tr(does)).wrap());
                     ui.end_row();
                 }
             });
             ui.separator();
-            ui.label("On a touch screen one finger looks around, two fingers pinch to zoom and move over the water.");
+            ui.label(tr(
+                "On a touch screen one finger looks around, two fingers pinch to zoom and move over the water.",
+            ));
         });
 }
 

@@ -42,6 +42,14 @@ macro_rules! say {
 }
 pub(crate) use say;
 
+/// Marks an English text in a table, which is translated where it is shown, for the list of texts to translate.
+macro_rules! text {
+    ($english:literal) => {
+        $english
+    };
+}
+pub(crate) use text;
+
 /// A number, written with a decimal point, in the way of the current language.
 pub fn local_number(number: String) -> String {
     if CURRENT.get().is_some_and(|(_, comma)| comma) { number.replace('.', ",") } else { number }
@@ -77,6 +85,7 @@ impl Language {
         matches!(self, Self::German | Self::French | Self::Spanish | Self::Portuguese)
     }
 
+    #[cfg(target_arch = "wasm32")]
     fn has_own_font(self) -> bool {
         matches!(self, Self::Japanese | Self::Chinese)
     }
@@ -195,7 +204,8 @@ mod tests {
 
     #[test]
     fn tags_name_languages() {
-        let tags = [("pt-BR", "pt"), ("de_AT.UTF-8", "de"), ("zh-Hans-CN", "zh"), ("en-GB", "en"), ("C", "en"), ("", "en")];
+        let tags =
+            [("pt-BR", "pt"), ("de_AT.UTF-8", "de"), ("zh-Hans-CN", "zh"), ("en-GB", "en"), ("C", "en"), ("", "en")];
         for (tag, code) in tags {
             assert_eq!(Language::from_tag(tag).word(), code, "{tag}");
         }

@@ -3,6 +3,7 @@
 
 use super::accessible_names::with_accessible_name;
 use super::{App, icons};
+use crate::app::language::tr;
 
 /// Shows the caption and the button at the lower left of the window.
 pub fn show_caption(app: &mut App, ctx: &egui::Context) {
@@ -18,14 +19,15 @@ pub fn show_caption(app: &mut App, ctx: &egui::Context) {
             ui.horizontal_wrapped(|ui| {
                 ui.spacing_mut().item_spacing.x = 6.0;
                 let clock = &mut app.params.clock;
-                let (icon, name) = if clock.paused { (icons::PLAY, "Play") } else { (icons::PAUSE, "Pause") };
+                let (icon, name) = if clock.paused { (icons::PLAY, tr("Play")) } else { (icons::PAUSE, tr("Pause")) };
                 let button = egui::Button::new(egui::RichText::new(icon).size(15.0)).frame_when_inactive(false);
                 if with_accessible_name(ui.add(button), name).clicked() {
                     clock.paused = !clock.paused;
                 }
                 let words = format!("{}.", app.sea_in_words());
                 ui.label(egui::RichText::new(words).size(13.0).color(egui::Color32::WHITE));
-                let link = egui::RichText::new("Open in Seastate").size(13.0).color(egui::Color32::WHITE).underline();
+                let link =
+                    egui::RichText::new(tr("Open in Seastate")).size(13.0).color(egui::Color32::WHITE).underline();
                 if ui.link(link).clicked() {
                     ctx.open_url(egui::OpenUrl::new_tab(app.whole_page_link()));
                 }

@@ -1,6 +1,7 @@
 //! Places floating objects on the sea, where the user clicks or presses B.
 
 use super::App;
+use crate::app::language::tr;
 use crate::state::camera::View;
 use crate::state::floats::{self, FloatingObject};
 
@@ -35,11 +36,11 @@ impl App {
         self.placing = None;
         let Some(at) = at else { return };
         let Some([x_m, z_m]) = self.water_position_at(at, response.rect) else {
-            self.show_brief_message("There is no water there.");
+            self.show_brief_message(tr("There is no water there."));
             return;
         };
         if self.params.floating_objects.len() >= floats::MAX_FLOATING_OBJECTS {
-            self.show_brief_message("There is no room for more.");
+            self.show_brief_message(tr("There is no room for more."));
             return;
         }
         let round = |x: f64| (10.0 * x).round() / 10.0;

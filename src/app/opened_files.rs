@@ -1,9 +1,10 @@
-//! Files that are dropped on the window or the page, or chosen in a dialog: spectra of a buoy or a wave model, a sky image, a saved
-//! picture or a list of seas.
+//! Files that are dropped on the window or the page, or chosen in a dialog: spectra of a buoy or a wave model, a sky image, a
+//! saved picture or a list of seas.
 
-#[cfg(target_arch = "wasm32")]
+use crate::app::language::{text, tr};
 use super::tasks;
 use super::{App, tasks::Inbox};
+#[cfg(target_arch = "wasm32")]
 use crate::files::measured::{MAX_FILES_PER_SPECTRUM, MeasuredSpectrum};
 use crate::files::panorama::{self, Panorama};
 use crate::files::{input, picture};
@@ -13,8 +14,10 @@ use egui::DroppedFileHandle;
 use std::sync::Arc;
 
 /// What can be opened, in words, for the panel.
-pub const OPENABLE_FILES: &str = "A sky (.hdr, .exr), a picture saved here, a file of seas, or a spectrum: a buoy's \
-    (NDBC text, Spotter JSON, CSV) or a wave model's (SWAN, WAVEWATCH III, ERA5). Dropping works, too.";
+pub const OPENABLE_FILES: &str = text!(
+    "A sky (.hdr, .exr), a picture saved here, a file of seas, or a spectrum: a buoy's \
+    (NDBC text, Spotter JSON, CSV) or a wave model's (SWAN, WAVEWATCH III, ERA5). Dropping works, too."
+);
 /// Extensions of the files that the dialog offers first. Files of NDBC have others, which its second filter shows.
 #[cfg(not(target_arch = "wasm32"))]
 const USUAL_EXTENSIONS: [&str; 13] =
@@ -234,9 +237,9 @@ pub fn show_drop_hint(ctx: &egui::Context) {
     painter.text(
         screen.center(),
         egui::Align2::CENTER_CENTER,
-        "Drop a sky (.hdr, .exr), a picture saved here, a file of seas,\n\
+        tr("Drop a sky (.hdr, .exr), a picture saved here, a file of seas,\n\
          or a spectrum: a buoy's (NDBC text, Spotter JSON, CSV of f, S, direction, spread)\n\
-         or a model's (SWAN .spc .sp2, WAVEWATCH III text or NetCDF, ERA5 NetCDF, CSV)",
+         or a model's (SWAN .spc .sp2, WAVEWATCH III text or NetCDF, ERA5 NetCDF, CSV)"),
         egui::FontId::proportional(20.0),
         egui::Color32::WHITE,
     );

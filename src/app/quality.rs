@@ -1,6 +1,7 @@
 //! Adaptive quality: a machine that is too slow draws fewer pixels, and after that a smaller FFT.
 
 use super::governor::Governor;
+use crate::app::language::{say, tr};
 use crate::state::params::{Detail, Grid, Screen};
 
 /// Lowest factor by which adaptive quality scales the picture's width and height on a hardware GPU.
@@ -163,16 +164,22 @@ impl AdaptiveQuality {
             return None;
         }
         if self.out_of_memory_errors > 0 {
-            return Some(format!("Drawn with {}.", self.describe()));
+            return Some(say!("Drawn with {quality}.", quality = self.describe()));
         }
         let percent = 100.0 * self.governor.scale().powi(2);
-        let light = if self.detail(screen) == Detail::Lean { ", with simpler light" } else { "" };
-        let waves = if self.governor.halvings() > 0 { ", without the shortest waves" } else { "" };
+        let light = if self.detail(screen) == Detail::Lean { tr(", with simpler light") } else { "" };
+        let waves = if self.governor.halvings() > 0 { tr(", without the shortest waves") } else { "" };
         let why = match self.governor.whole_frame_gpu_s() {
-            Some(gpu_s) => format!("with all of them this GPU needs {:.0} ms a frame", 1e3 * gpu_s),
-            None => format!("a frame takes {:.0} ms", self.frame_ms()),
+            Some(gpu_s) => say!("with all of them this GPU needs {ms} ms a frame", ms = format!("{:.0}", 1e3 * gpu_s)),
+            None => say!("a frame takes {ms} ms", ms = format!("{:.0}", self.frame_ms())),
         };
-        Some(format!("Drawn at {percent:.0} % of the pixels{light}{waves}: {why}."))
+        Some(say!(
+            "Drawn at {percent} % of the pixels{light}{waves}: {why}.",
+            percent = format!("{percent:.0}"),
+            light = light,
+            waves = waves,
+            why = why,
+        ))
     }
 
     /// Describes the picture quality for a bug report: "full quality" or, say, "50 % of the pixels, to keep up".

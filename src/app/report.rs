@@ -1,6 +1,7 @@
 //! The report that a user pastes into a bug report: program, GPU, state, errors and frame rate.
 
 use super::App;
+use crate::app::language::tr;
 use crate::ocean::device_info::DeviceInfo;
 
 impl App {
@@ -39,6 +40,6 @@ impl App {
     /// Copies the text for a bug report to the clipboard.
     pub(super) fn copy_report(&mut self) {
         self.ctx.copy_text(self.report_text());
-        self.show_brief_message("Report copied: paste it where you tell of the fault.");
+        self.show_brief_message(tr("Report copied: paste it where you tell of the fault."));
     }
 }

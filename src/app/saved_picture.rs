@@ -2,6 +2,7 @@
 
 use super::picture_caption::PictureCaption;
 use super::{App, storage, tasks};
+use crate::app::language::tr;
 use crate::files::picture;
 use crate::gpu::offscreen::PendingPicture;
 use crate::ocean::Ocean;
@@ -30,7 +31,7 @@ impl PictureSize {
     /// Text of the size in the panel.
     pub fn label(self) -> &'static str {
         match self {
-            Self::AsShown => "As shown here",
+            Self::AsShown => tr("As shown here"),
             Self::FullHd => "1920 x 1080",
             Self::UltraHd => "3840 x 2160",
         }
@@ -74,7 +75,7 @@ impl App {
             return;
         }
         self.picture_job = Some(PictureJob { size, frames: 0 });
-        self.show_brief_message("The picture is being drawn in full.");
+        self.show_brief_message(tr("The picture is being drawn in full."));
     }
 
     /// Whether the sea stands still: the user has stopped the time, or a picture is being drawn to be saved.

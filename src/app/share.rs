@@ -1,6 +1,7 @@
 //! Ways to share a sea: links, HTML for embedding and saved wave maps.
 
 use super::{App, storage, tasks};
+use crate::app::language::{say, tr};
 use crate::ocean::{Ocean, maps_file};
 use crate::state::params::Interface;
 use crate::state::{query, rounding::with_rounded_pose};
@@ -23,7 +24,7 @@ impl App {
     pub(super) fn sea_in_words(&self) -> String {
         let force = beaufort::beaufort_number(self.params.sea.first_system().wind_m_s);
         let height = self.length_scale().format(self.derived.theoretical_statistics.hs_m, 1);
-        format!("Force {force} sea, waves {height} high")
+        say!("Force {force} sea, waves {height} high", force = force, height = height)
     }
 
     /// Title of the browser's tab, such as `Force 5, 1.9 m: Seastate`.
@@ -36,13 +37,13 @@ impl App {
     /// Copies the link to the current sea to the clipboard.
     pub(super) fn copy_link(&mut self) {
         self.ctx.copy_text(self.link());
-        self.show_brief_message("Link copied.");
+        self.show_brief_message(tr("Link copied."));
     }
 
     /// Copies a line for a message to a friend: the sea in words, and the link to it.
     pub(super) fn copy_link_with_words(&mut self) {
         self.ctx.copy_text(format!("{}: {}", self.sea_in_words(), self.link()));
-        self.show_brief_message("Link copied, with a line about the sea.");
+        self.show_brief_message(tr("Link copied, with a line about the sea."));
     }
 
     /// The link to the current sea with what is shown over it: on the page its address, on the desktop one of a made-up
@@ -70,7 +71,7 @@ impl App {
              allow=\"fullscreen\" loading=\"lazy\"></iframe>",
             self.sea_in_words()
         ));
-        self.show_brief_message("Frame copied: paste it into a page.");
+        self.show_brief_message(tr("Frame copied: paste it into a page."));
     }
 
     /// Copies the HTML of the element `<sea-state>`, which a script of the page can talk to (docs/embed.md).
@@ -82,7 +83,7 @@ impl App {
             "<script type=\"module\" src=\"{page}sea-state.js\"></script>\n\
              <sea-state state=\"{state}\" style=\"width: 100%; aspect-ratio: 16 / 9\"></sea-state>"
         ));
-        self.show_brief_message("Element copied: paste it into a page.");
+        self.show_brief_message(tr("Element copied: paste it into a page."));
     }
 
     /// Opens the sea of a link or of a bare state string. A text without any known key leaves the sea as it is, and the
@@ -91,12 +92,12 @@ impl App {
         let reading = query::parse_with_keys(text);
         if reading.keys_taken.is_empty() && !reading.notices.is_empty() {
             self.notices = reading.notices;
-            self.notices.push("that is no sea: this one stays".to_owned());
+            self.notices.push(tr("that is no sea: this one stays").to_owned());
             return;
         }
         self.set_state(text);
         if self.notices.is_empty() {
-            self.show_brief_message("Opened.");
+            self.show_brief_message(tr("Opened."));
         }
     }
 

@@ -1,6 +1,7 @@
 //! Units of the panel. Parameters are stored in metric units; the panel can show and accept nautical units.
 
 use super::App;
+use crate::app::language::local_number;
 use crate::state::fields::{Field, Group};
 use crate::state::params::Units;
 
@@ -44,7 +45,7 @@ impl UnitScale {
     /// Converts a metric value to the shown unit, and formats it with that unit and a number of decimals.
     pub fn format(self, value: f64, decimals: usize) -> String {
         let space = if self.unit.is_empty() || self.unit == "°" { "" } else { " " };
-        format!("{:.decimals$}{space}{}", value * self.factor, self.unit)
+        format!("{}{space}{}", local_number(format!("{:.decimals$}", value * self.factor)), self.unit)
     }
 
     /// The unit as a suffix of a slider's number, with a space where one is usual.

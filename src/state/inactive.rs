@@ -215,6 +215,11 @@ fn has_system(p: &Params, has: impl Fn(&WaveSystemParams) -> bool) -> bool {
     p.sea.systems.iter().any(|s| s.is_on() && has(s))
 }
 
+/// All reasons why a parameter may have no effect, for lists of the texts of the interface.
+pub fn reasons() -> impl Iterator<Item = &'static str> {
+    RULES.iter().map(|rule| rule.inactive.reason).chain(SYSTEM_RULES.iter().map(|rule| rule.reason))
+}
+
 impl Field {
     /// Why this parameter has no effect on the sea and the picture in the state `params`, and what would wake it; `None`
     /// if it has an effect.
@@ -251,7 +256,7 @@ mod tests {
 
     #[test]
     fn rules_name_parameters_that_exist_once_and_speak_in_sentences() {
-        let sentences = RULES.iter().map(|r| r.inactive.reason).chain(SYSTEM_RULES.iter().map(|r| r.reason));
+        let sentences = reasons();
         for sentence in sentences {
             assert!(sentence.ends_with('.') && sentence.starts_with(char::is_uppercase), "{sentence}");
         }

@@ -1,6 +1,7 @@
 //! Read-outs of the panel: statistics of the sea by theory and as measured, times of the GPU passes, and the device.
 
 use super::super::App;
+use crate::app::language::{local_number, say, tr};
 
 /// Shows the main statistics of the sea by theory: significant wave height, periods, wavelength, direction and spread.
 pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
@@ -8,17 +9,17 @@ pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
     let length_scale = app.length_scale();
     // These rows contain no widgets to tap, so they need no height for fingers.
     let tall = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
-    let from = t.mean_from_deg.map_or("none".to_owned(), |d| format!("{d:.0}°"));
-    let hs_help = "Significant wave height, 4 sqrt(m0): the mean of the highest third.";
-    let from_help = "Mean direction that the waves come from, clockwise from north.";
-    let spread_help = "Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.";
+    let from = t.mean_from_deg.map_or(tr("none").to_owned(), |d| format!("{d:.0}°"));
+    let hs_help = tr("Significant wave height, 4 sqrt(m0): the mean of the highest third.");
+    let from_help = tr("Mean direction that the waves come from, clockwise from north.");
+    let spread_help = tr("Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.");
     let rows = [
-        ("Hs", length_scale.format(t.hs_m, 2), hs_help),
-        ("Tp", format!("{:.1} s", t.tp_s), "Period of the peak of the spectrum."),
-        ("Length", length_scale.format(t.lambda_p_m, 0), "Wavelength of the peak."),
-        ("Tz", format!("{:.1} s", t.tm02_s), "Mean zero-crossing period, 2 pi sqrt(m0 / m2)."),
-        ("From", from, from_help),
-        ("Spread", format!("{:.0}°", t.spread_deg), spread_help),
+        (tr("Hs"), length_scale.format(t.hs_m, 2), hs_help),
+        (tr("Tp"), format!("{:.1} s", t.tp_s), tr("Period of the peak of the spectrum.")),
+        (tr("Length"), length_scale.format(t.lambda_p_m, 0), tr("Wavelength of the peak.")),
+        (tr("Tz"), format!("{:.1} s", t.tm02_s), tr("Mean zero-crossing period, 2 pi sqrt(m0 / m2).")),
+        (tr("From"), from, from_help),
+        (tr("Spread"), format!("{:.0}°", t.spread_deg), spread_help),
     ];
     egui::Grid::new("read-outs").num_columns(4).show(ui, |ui| {
         for pair in rows.chunks(2) {
@@ -50,66 +51,74 @@ pub fn show_all_statistics(app: &App, ui: &mut egui::Ui) {
         let (seconds, slope) = (|x: f64| format!("{x:.2} s"), |x: f64| format!("{x:.4}"));
         let (degrees, percent) = (|x: f64| format!("{x:.1}°"), |x: f64| format!("{:.2} %", 100.0 * x));
         let m = &app.sea_measurement;
-        let help = "What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's \
-                    maps.";
-        row("", ["theory", "computed", "measured"].map(str::to_owned), help);
+        let help = tr("What the spectrum promises, what the waves on the grid hold, and what was read from the GPU's \
+                    maps.");
+        row("", [tr("theory"), tr("computed"), tr("measured")].map(str::to_owned), help);
         let hs = [
             length_scale.format(t.hs_m, 3),
             length_scale.format(r.hs_m, 3),
             known(m.hs_m(), &|x| length_scale.format(x, 3)),
         ];
-        row("Hs", hs, "Significant wave height, 4 sqrt(m0).");
-        row("Tm01", [seconds(t.tm01_s), seconds(r.tm01_s), none()], "Mean period, 2 pi m0 / m1.");
-        row("Tm02", [seconds(t.tm02_s), seconds(r.tm02_s), none()], "Mean zero-crossing period.");
+        row(tr("Hs"), hs, tr("Significant wave height, 4 sqrt(m0)."));
+        row(tr("Tm01"), [seconds(t.tm01_s), seconds(r.tm01_s), none()], tr("Mean period, 2 pi m0 / m1."));
+        row(tr("Tm02"), [seconds(t.tm02_s), seconds(r.tm02_s), none()], tr("Mean zero-crossing period."));
         let length = [length_scale.format(t.lambda_mean_m, 1), none(), none()];
-        row("Mean length", length, "Wavelength of the mean period Tm01.");
-        let help = "Hs over the wavelength of the peak; waves break near 0.07.";
-        row("Steepness", [slope(t.steepness), none(), none()], help);
+        row(tr("Mean length"), length, tr("Wavelength of the mean period Tm01."));
+        let help = tr("Hs over the wavelength of the peak; waves break near 0.07.");
+        row(tr("Steepness"), [slope(t.steepness), none(), none()], help);
         let shortest_m = std::f64::consts::TAU / t.k_max.max(1e-9);
-        let help = format!("Mean square slope of waves longer than {shortest_m:.2} m.");
-        row("Slopes", [slope(t.mss), slope(r.mss), known(m.mss(), &slope)], &help);
-        row("Spread", [degrees(t.spread_deg), degrees(r.spread_deg), none()], "Directional spread.");
-        let help = "Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen \
-                    2003).";
-        row("Benjamin-Feir", [format!("{:.2}", t.benjamin_feir), none(), none()], help);
-        let help = "Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam \
-                    that is computed around the camera, however much of it is shown.";
-        row("Whitecaps", [percent(t.whitecap_fraction), none(), known(m.foam_coverage(), &percent)], help);
-        row("Energy held", [none(), percent(r.m0_fraction), none()], "Share of the variance on the grid.");
+        let help = say!(
+            "Mean square slope of waves longer than {length} m.",
+            length = local_number(format!("{shortest_m:.2}"))
+        );
+        row(tr("Slopes"), [slope(t.mss), slope(r.mss), known(m.mss(), &slope)], &help);
+        row(tr("Spread"), [degrees(t.spread_deg), degrees(r.spread_deg), none()], tr("Directional spread."));
+        let help = tr("Benjamin-Feir index: near 1 freak waves become likely in a narrow, long-crested sea (Janssen \
+                    2003).");
+        row(tr("Benjamin-Feir"), [format!("{:.2}", t.benjamin_feir), none(), none()], help);
+        let help =
+            tr("Coverage by whitecaps at this wind (Monahan and O'Muircheartaigh 1980), and the mean of the foam \
+                    that is computed around the camera, however much of it is shown.");
+        row(tr("Whitecaps"), [percent(t.whitecap_fraction), none(), known(m.foam_coverage(), &percent)], help);
+        row(tr("Energy held"), [none(), percent(r.m0_fraction), none()], tr("Share of the variance on the grid."));
     });
     let readings = app.sea_measurement.reading_count();
     if readings > 0 {
-        let moments = if readings == 1 { "one moment".to_owned() } else { format!("{readings} moments") };
-        ui.weak(format!("Measured: mean of {moments}."));
+        let moments =
+            if readings == 1 { tr("one moment").to_owned() } else { say!("{readings} moments", readings = readings) };
+        ui.weak(say!("Measured: mean of {moments}.", moments = moments));
     }
 }
 
 /// Shows the time of a frame: the CPU time of recording it, and the GPU time of each pass.
 pub fn show_frame_times(app: &App, ui: &mut egui::Ui) {
     app.visible_readouts.pass_times.set(true);
-    ui.label(format!("Recording a frame: {:.2} ms of the CPU", app.frame_measurements.recording_time_ms()));
+    ui.label(say!(
+        "Recording a frame: {ms} ms of the CPU",
+        ms = local_number(format!("{:.2}", app.frame_measurements.recording_time_ms()))
+    ));
     match app.frame_measurements.pass_times_ms() {
         None => {
-            ui.weak("This GPU does not tell how long its passes take: it has no timestamps.");
+            ui.weak(tr("This GPU does not tell how long its passes take: it has no timestamps."));
         }
         Some(passes) => {
             egui::Grid::new("passes").num_columns(2).striped(true).show(ui, |ui| {
                 let all: f64 = passes.iter().map(|(_, ms)| ms).sum();
-                for (pass, ms) in passes.iter().copied().chain([("all on the GPU", all)]) {
+                for (pass, ms) in passes.iter().copied().chain([(tr("all on the GPU"), all)]) {
                     ui.weak(pass);
                     ui.label(format!("{ms:.2} ms"));
                     ui.end_row();
                 }
             });
-            ui.weak("Without the panel and the last blit, smoothed over frames.");
+            ui.weak(tr("Without the panel and the last blit, smoothed over frames."));
         }
     }
 }
 
 /// Shows information about the program and its GPU, and the wavelengths of each cascade.
 pub fn show_system_information(app: &mut App, ui: &mut egui::Ui) {
-    let help = "Copies all of this, the state and what went wrong as plain text.";
-    if super::button_with_help(ui, "Copy report", help) {
+    let help = tr("Copies all of this, the state and what went wrong as plain text.");
+    if super::button_with_help(ui, tr("Copy report"), help) {
         app.copy_report();
     }
     egui::Grid::new("about").num_columns(2).striped(true).max_col_width(210.0).show(ui, |ui| {
@@ -129,5 +138,8 @@ pub fn show_system_information(app: &mut App, ui: &mut egui::Ui) {
             longest
         ));
     }
-    ui.label(format!("{:.1} % of the sea's energy is computed", 100.0 * plan.resolved_variance_fraction().min(1.0)));
+    ui.label(say!(
+        "{percent} % of the sea's energy is computed",
+        percent = local_number(format!("{:.1}", 100.0 * plan.resolved_variance_fraction().min(1.0)))
+    ));
 }

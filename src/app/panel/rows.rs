@@ -3,6 +3,7 @@
 use super::super::accessible_names::with_accessible_name;
 use super::super::units::UnitScale;
 use super::touch;
+use crate::app::language::{local_number, say, tr};
 use crate::state::Params;
 use crate::state::fields::{Field, FieldKind, Group, InvalidValue};
 use crate::state::params::Units;
@@ -10,7 +11,8 @@ use crate::state::params::Units;
 /// Whether a search for `words` finds a parameter: each word, or another word for the same thing, occurs in its label,
 /// key, group or help text, in upper or lower case.
 pub fn matches_search(field: &Field, words: &str) -> bool {
-    has_all_words(&format!("{} {} {} {}", field.key, field.label, field.group.label(), field.help), words)
+    let english = [field.key, field.label, field.group.label(), field.help];
+    has_all_words(&english.map(|text| format!("{text} {}", tr(text))).join(" "), words)
 }
 
 /// Other words for what the texts of the parameters say.
@@ -76,18 +78,18 @@ pub fn show_group(params: &mut Params, group: Group, fields: &[&'static Field], 
 
 fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::Ui) {
     let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
-    let mut help = format!(
-        "{}\n{} = {}{unit}, default {}",
-        field.help,
-        field.key,
-        field.allowed_values_text(),
-        field.format(field.default_value())
+    let mut help = say!(
+        "{help}\n{key} = {values}, default {default}",
+        help = tr(field.help),
+        key = field.key,
+        values = format!("{}{unit}", field.allowed_values_text()),
+        default = field.format(field.default_value()),
     );
     let inactive = field.inactive_because(params);
     if let Some(why) = inactive {
-        help = format!("No effect now. {}\n\n{help}", why.reason);
+        help = format!("{}\n\n{help}", say!("No effect now. {reason}", reason = tr(why.reason)));
     }
-    let label = ui.add_enabled(inactive.is_none(), egui::Label::new(field.label));
+    let label = ui.add_enabled(inactive.is_none(), egui::Label::new(tr(field.label)));
     let label = explain(ui, label, &help);
     let before = (field.get)(params);
     let mut value = before;
@@ -96,16 +98,16 @@ fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: 
         explain(ui, editor.labelled_by(label.id), &help);
         if let Some(why) = inactive.filter(|_| touch::is_used(ui.ctx())) {
             ui.set_max_width(REASON_WIDTH_POINTS);
-            ui.weak(egui::RichText::new(why.reason).size(REASON_TEXT_POINTS));
+            ui.weak(egui::RichText::new(tr(why.reason)).size(REASON_TEXT_POINTS));
         }
     });
     let default = field.default_value();
     let undo = egui::Button::new("×").small().frame(false);
     let undo = with_accessible_name(
         ui.add_enabled(value != default, undo),
-        &format!("{}, {}: back to the default", field.group.label(), field.label),
+        &say!("{group}, {label}: back to the default", group = tr(field.group.label()), label = tr(field.label)),
     );
-    if undo.on_hover_text("Back to the default.").clicked() {
+    if undo.on_hover_text(tr("Back to the default.")).clicked() {
         value = default;
     }
     if value != before {
@@ -127,7 +129,7 @@ pub fn show_value(
     ui.spacing_mut().slider_width = slider_width(ui);
     let units = params.screen.units;
     let editor = ui.add_enabled_ui(is_enabled, |ui| value_editor(field, &mut value, units, ui)).inner;
-    explain(ui, editor.labelled_by(label), field.help);
+    explain(ui, editor.labelled_by(label), tr(field.help));
     if value != before {
         let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.check_value(value) else { return };
         (field.set)(params, v);
@@ -238,11 +240,12 @@ fn with_unit_and_zero_word<'a>(
     let slider = if wide { slider.logarithmic(true).smallest_positive(1e-6 * most) } else { slider };
     slider
         .custom_formatter(move |value, digits| match value {
-            0.0 if !field.zero_word.is_empty() => field.zero_word.to_owned(),
-            _ => format!("{}{unit}", egui::emath::format_with_decimals_in_range(value, digits)),
+            0.0 if !field.zero_word.is_empty() => tr(field.zero_word).to_owned(),
+            _ => format!("{}{unit}", local_number(egui::emath::format_with_decimals_in_range(value, digits))),
         })
         .custom_parser(move |text| {
-            let zero = !field.zero_word.is_empty() && text.trim().eq_ignore_ascii_case(field.zero_word);
+            let zero = !field.zero_word.is_empty()
+                && [field.zero_word, tr(field.zero_word)].iter().any(|word| text.trim().eq_ignore_ascii_case(word));
             if zero { Some(0.0) } else { scale.parse(text) }
         })
 }

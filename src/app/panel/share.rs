@@ -6,6 +6,7 @@ use super::super::opened_files::OPENABLE_FILES;
 use super::super::saved_picture::PictureSize;
 use super::super::{App, icons};
 use super::{button_with_help, text_field};
+use crate::app::language::tr;
 
 /// Adds the widgets of the tab.
 pub fn show_share_buttons(app: &mut App, ui: &mut egui::Ui) {
@@ -15,7 +16,7 @@ pub fn show_share_buttons(app: &mut App, ui: &mut egui::Ui) {
     ui.separator();
     show_film(app, ui);
     ui.separator();
-    ui.strong("Open");
+    ui.strong(tr("Open"));
     show_open_buttons(app, ui);
     ui.separator();
     show_embedding(app, ui);
@@ -24,38 +25,39 @@ pub fn show_share_buttons(app: &mut App, ui: &mut egui::Ui) {
 /// Adds the button that opens files, says what can be opened, and adds two samples to try.
 pub fn show_open_buttons(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        if ui.button("Open a file…").clicked() {
+        if ui.button(tr("Open a file…")).clicked() {
             app.choose_files();
         }
-        let help = "Waves that a buoy measured: an example of such a file.";
-        if button_with_help(ui, "Try a spectrum", help) {
+        let help = tr("Waves that a buoy measured: an example of such a file.");
+        if button_with_help(ui, tr("Try a spectrum"), help) {
             app.open_sample_spectrum();
         }
-        let help = "A sky of dusk: an example of a sky from a picture, which links name but do not contain.";
-        if button_with_help(ui, "Try a sky", help) {
+        let help = tr("A sky of dusk: an example of a sky from a picture, which links name but do not contain.");
+        if button_with_help(ui, tr("Try a sky"), help) {
             app.open_sample_sky();
         }
     });
-    ui.weak(OPENABLE_FILES);
+    ui.weak(tr(OPENABLE_FILES));
 }
 
 fn show_links(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        let link = format!("{} Copy link", icons::LINK);
-        let help = "Copies the state of this sea and camera (L).";
-        if with_accessible_name(ui.button(link).on_hover_text(help), "Copy link").clicked() {
+        let link = format!("{} {}", icons::LINK, tr("Copy link"));
+        let help = tr("Copies the state of this sea and camera (L).");
+        if with_accessible_name(ui.button(link).on_hover_text(help), tr("Copy link")).clicked() {
             app.copy_link();
         }
-        let help = "Copies a line for a message: the sea in words, and its link.";
-        if button_with_help(ui, "Copy link with words", help) {
+        let help = tr("Copies a line for a message: the sea in words, and its link.");
+        if button_with_help(ui, tr("Copy link with words"), help) {
             app.copy_link_with_words();
         }
     });
     ui.weak(format!("\u{201c}{}: …\u{201d}", app.sea_in_words()));
-    ui.label("The address of the page is always the whole sea: send it, bookmark it, go back and forward.");
+    ui.label(tr("The address of the page is always the whole sea: send it, bookmark it, go back and forward."));
     ui.horizontal(|ui| {
-        let hint = ("paste an address here", crate::files::MAX_STATE_BYTES);
-        let (field, pressed) = text_field(ui, "Open link", &mut app.panel.link, hint, |ui| ui.button("Open").clicked());
+        let hint = (tr("paste an address here"), crate::files::MAX_STATE_BYTES);
+        let (field, pressed) =
+            text_field(ui, tr("Open link"), &mut app.panel.link, hint, |ui| ui.button(tr("Open")).clicked());
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         if (pressed || entered) && !app.panel.link.trim().is_empty() {
             let link = std::mem::take(&mut app.panel.link);
@@ -67,8 +69,8 @@ fn show_links(app: &mut App, ui: &mut egui::Ui) {
 fn show_picture(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
         let picture = format!("{} Picture", icons::PICTURE);
-        let help = "Saves a PNG in full quality that remembers its sea: open it here to return (P).";
-        if with_accessible_name(ui.button(picture).on_hover_text(help), "Picture").clicked() {
+        let help = tr("Saves a PNG in full quality that remembers its sea: open it here to return (P).");
+        if with_accessible_name(ui.button(picture).on_hover_text(help), tr("Picture")).clicked() {
             app.save_picture();
         }
         let choice = &mut app.panel.picture;
@@ -78,10 +80,10 @@ fn show_picture(app: &mut App, ui: &mut egui::Ui) {
                 ui.selectable_value(&mut choice.size, each, each.label());
             }
         });
-        with_accessible_name(size.response, "Size of the picture");
-        ui.checkbox(&mut choice.has_caption, "Caption").on_hover_text("The sea in words at the lower edge.");
+        with_accessible_name(size.response, tr("Size of the picture"));
+        ui.checkbox(&mut choice.has_caption, tr("Caption")).on_hover_text(tr("The sea in words at the lower edge."));
     });
-    ui.weak("Open a picture that was saved here to see its sea again.");
+    ui.weak(tr("Open a picture that was saved here to see its sea again."));
 }
 
 fn show_film(app: &mut App, ui: &mut egui::Ui) {
@@ -91,42 +93,43 @@ fn show_film(app: &mut App, ui: &mut egui::Ui) {
         #[cfg(target_arch = "wasm32")]
         {
             let moves = app.params.clock.speed > 0.0;
-            let record = ui.add_enabled(moves, egui::Button::new("Record a film"));
-            if record.on_hover_text("Records the sea as it moves, without the panel, as a WebM file.").clicked() {
+            let record = ui.add_enabled(moves, egui::Button::new(tr("Record a film")));
+            if record.on_hover_text(tr("Records the sea as it moves, without the panel, as a WebM file.")).clicked() {
                 app.begin_film();
             }
         }
         #[cfg(not(target_arch = "wasm32"))]
-        if button_with_help(ui, "Copy film command", "Copies the command that draws the frames of a film.") {
+        if button_with_help(ui, tr("Copy film command"), tr("Copies the command that draws the frames of a film.")) {
             app.copy_film_command();
         }
         let editor = egui::DragValue::new(&mut length_s).range(1.0..=MAX_FILM_S).max_decimals(1).suffix(" s");
         let editor = ui.add_enabled(!repeats, editor);
-        if with_accessible_name(editor, "Length of the film").changed() {
+        if with_accessible_name(editor, tr("Length of the film")).changed() {
             app.panel.film_s = Some(length_s);
         }
         if repeats {
-            ui.weak("one period: the end fits the beginning");
+            ui.weak(tr("one period: the end fits the beginning"));
         }
     });
     #[cfg(not(target_arch = "wasm32"))]
-    ui.weak("seastate render --frames draws each frame of a film, however long it takes.");
+    ui.weak(tr("seastate render --frames draws each frame of a film, however long it takes."));
 }
 
 fn show_embedding(app: &mut App, ui: &mut egui::Ui) {
-    ui.strong("In other pages and programs");
+    ui.strong(tr("In other pages and programs"));
     ui.horizontal_wrapped(|ui| {
-        let help = "Copies an <iframe> that shows this sea in another page, with a caption instead of the panel.";
-        if button_with_help(ui, "Copy frame", help) {
+        let help = tr("Copies an <iframe> that shows this sea in another page, with a caption instead of the panel.");
+        if button_with_help(ui, tr("Copy frame"), help) {
             app.copy_iframe();
         }
-        let help = "Copies a <sea-state> element: a frame that the page's scripts can set and ask (docs/embed.md).";
-        if button_with_help(ui, "Copy element", help) {
+        let help = tr("Copies a <sea-state> element: a frame that the page's scripts can set and ask (docs/embed.md).");
+        if button_with_help(ui, tr("Copy element"), help) {
             app.copy_element();
         }
-        let help =
-            "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.";
-        if button_with_help(ui, "Save maps", help) {
+        let help = tr(
+            "Saves displacement and slopes of every cascade at this moment as one OpenEXR file: docs/use-the-maps.md.",
+        );
+        if button_with_help(ui, tr("Save maps"), help) {
             app.save_maps();
         }
     });

@@ -4,6 +4,7 @@ use super::super::App;
 use super::super::accessible_names::with_accessible_name;
 use super::super::plots;
 use super::{MAX_TEXT_CHARS, numbers, rows, seas, share, spectra, systems, text_field};
+use crate::app::language::{say, tr};
 use crate::state::fields::{FIELDS, Field, Group};
 
 /// Adds the widgets of the tab.
@@ -13,13 +14,13 @@ pub fn show_study(app: &mut App, ui: &mut egui::Ui) {
         ui.weak(note);
     }
     spectra::show_spectrum_list(app, ui);
-    egui::CollapsingHeader::new("Open a spectrum or a sky").show(ui, |ui| share::show_open_buttons(app, ui));
+    egui::CollapsingHeader::new(tr("Open a spectrum or a sky")).show(ui, |ui| share::show_open_buttons(app, ui));
     show_parameters(app, ui);
     ui.separator();
-    egui::CollapsingHeader::new("Plots").show(ui, |ui| plots::show_all_plots(app, ui));
-    egui::CollapsingHeader::new("More numbers").show(ui, |ui| numbers::show_all_statistics(app, ui));
-    egui::CollapsingHeader::new("Time of a frame").show(ui, |ui| numbers::show_frame_times(app, ui));
-    egui::CollapsingHeader::new("This program").show(ui, |ui| numbers::show_system_information(app, ui));
+    egui::CollapsingHeader::new(tr("Plots")).show(ui, |ui| plots::show_all_plots(app, ui));
+    egui::CollapsingHeader::new(tr("More numbers")).show(ui, |ui| numbers::show_all_statistics(app, ui));
+    egui::CollapsingHeader::new(tr("Time of a frame")).show(ui, |ui| numbers::show_frame_times(app, ui));
+    egui::CollapsingHeader::new(tr("This program")).show(ui, |ui| numbers::show_system_information(app, ui));
     ui.weak(format!("Seastate {}", crate::ocean::device_info::VERSION));
 }
 
@@ -28,9 +29,9 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         let search = &mut app.panel.search;
         let searching = !search.is_empty();
-        let (_, clears) = text_field(ui, "Search", search, ("all parameters", MAX_TEXT_CHARS), |ui| {
+        let (_, clears) = text_field(ui, tr("Search"), search, (tr("all parameters"), MAX_TEXT_CHARS), |ui| {
             let clear = egui::Button::new("×").min_size(egui::Vec2::splat(ui.spacing().interact_size.y.max(24.0)));
-            with_accessible_name(ui.add_enabled(searching, clear), "Clear the search").clicked()
+            with_accessible_name(ui.add_enabled(searching, clear), tr("Clear the search")).clicked()
         });
         if clears {
             search.clear();
@@ -42,7 +43,7 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
     let seas = if searching { App::seas_with_words(&words) } else { Vec::new() };
     let mut any = !seas.is_empty();
     for sea in seas {
-        if ui.button(format!("Sea: {}", sea.name)).on_hover_text(&sea.about).clicked() {
+        if ui.button(say!("Sea: {name}", name = tr(&sea.name))).on_hover_text(tr(&sea.about)).clicked() {
             app.open_preset(sea);
         }
     }
@@ -60,7 +61,7 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         }
         any = true;
         // A search expands the groups with results. Without a search each group stays as the user left it.
-        let header = egui::CollapsingHeader::new(group.label()).id_salt((group.label(), searching));
+        let header = egui::CollapsingHeader::new(tr(group.label())).id_salt((group.label(), searching));
         let expand = (added == Some(group)).then_some(true);
         header.default_open(searching).open(expand).show(ui, |ui| {
             rows::show_group(&mut app.params, group, &fields, ui);
@@ -73,14 +74,14 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         });
     }
     if !any {
-        ui.weak("No parameter and no named sea has these words.");
+        ui.weak(tr("No parameter and no named sea has these words."));
     }
 }
 
 /// Shows the name of the sky image file, and a button that returns to the computed sky.
 fn show_sky_file(app: &mut App, ui: &mut egui::Ui) {
     let Some(file) = &app.params.look.sky.file else {
-        if ui.button("Open a sky…").on_hover_text("A .hdr or .exr file with the whole sky.").clicked() {
+        if ui.button(tr("Open a sky…")).on_hover_text(tr("A .hdr or .exr file with the whole sky.")).clicked() {
             app.choose_files();
         }
         return;
@@ -88,7 +89,7 @@ fn show_sky_file(app: &mut App, ui: &mut egui::Ui) {
     let name = file.name.clone();
     ui.horizontal(|ui| {
         ui.label(name);
-        if ui.small_button("×").on_hover_text("Back to the computed sky.").clicked() {
+        if ui.small_button("×").on_hover_text(tr("Back to the computed sky.")).clicked() {
             app.params.look.sky.file = None;
         }
     });

@@ -4,6 +4,7 @@ use super::super::App;
 use super::super::units::UnitScale;
 use super::weather::compass_point;
 use super::{Tab, has_room};
+use crate::app::language::{local_number, say, tr};
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// Largest width of a sentence over the sea, points.
@@ -14,7 +15,10 @@ const MAX_SENTENCE_POINTS: f32 = 260.0;
 #[cfg(target_arch = "wasm32")]
 pub fn sea_summary(app: &App) -> String {
     let hs = app.length_scale().format(app.derived.theoretical_statistics.hs_m, 1);
-    format!("Hs {hs}, Beaufort {}", beaufort::beaufort_number(app.params.sea.first_system().wind_m_s))
+    {
+        let force = beaufort::beaufort_number(app.params.sea.first_system().wind_m_s);
+        say!("Hs {height}, Beaufort {force}", height = hs, force = force)
+    }
 }
 
 /// Shows the sea in words at the top left of the window. A click on a line opens the tab that explains it.
@@ -35,12 +39,26 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             let t = &app.derived.theoretical_statistics;
             let (metres, speed) = (app.length_scale(), UnitScale::for_unit("m/s", app.params.screen.units));
             let from = compass_point(app.params.sea.first_system().from_deg);
-            let wind = format!("{name}, {} from {from}", speed.format(wind_m_s, 1));
-            let waves = format!("waves {} high, every {:.0} s", metres.format(t.hs_m, 1), t.tp_s);
+            let wind = say!(
+                "{name}, {speed} from {from}",
+                name = tr(name),
+                speed = speed.format(wind_m_s, 1),
+                from = tr(from)
+            );
+            let waves = say!(
+                "waves {height} high, every {period} s",
+                height = metres.format(t.hs_m, 1),
+                period = format!("{:.0}", t.tp_s)
+            );
             let (ms, rate) = (app.quality.frame_ms(), app.quality.frames_per_second());
-            let keeps_up = format!("t = {:.0} s, {ms:.1} ms a frame, {rate:.0} frames/s", app.params.clock.t_s);
+            let keeps_up = say!(
+                "t = {time} s, {ms} ms a frame, {rate} frames/s",
+                time = format!("{:.0}", app.params.clock.t_s),
+                ms = local_number(format!("{ms:.1}")),
+                rate = format!("{rate:.0}")
+            );
             let ([width, height], n) = (app.picture_size(), app.params_to_draw().grid.n);
-            let pixels = format!("{n} x {n} points, {width} x {height} pixels");
+            let pixels = say!("{n} x {n} points, {width} x {height} pixels", n = n, width = width, height = height);
             let quality = app.quality.describe();
             let reduction = app.quality.reduction_in_words(&app.params.screen);
             let mut line = |ui: &mut egui::Ui, text: egui::RichText, help: &str, tab: Tab| {
@@ -53,19 +71,19 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             line(
                 ui,
                 white(wind, 18.0),
-                "Wind speed 10 m above the sea, and the name of its Beaufort force.",
+                tr("Wind speed 10 m above the sea, and the name of its Beaufort force."),
                 Tab::Weather,
             );
-            let help = "Significant wave height Hs, the mean of the highest third, and period Tp of the peak.";
+            let help = tr("Significant wave height Hs, the mean of the highest third, and period Tp of the peak.");
             line(ui, white(waves, 14.0), help, Tab::Study);
-            line(ui, white(keeps_up, 12.0), &format!("Simulated time. Picture: {quality}."), Tab::View);
+            line(ui, white(keeps_up, 12.0), &say!("Simulated time. Picture: {quality}.", quality = quality), Tab::View);
             let quiet = |text: String| egui::RichText::new(text).size(11.0).color(egui::Color32::from_gray(220));
-            let help = "Points of the waves' grids (FFT size n), and pixels of the picture that are computed.";
+            let help = tr("Points of the waves' grids (FFT size n), and pixels of the picture that are computed.");
             line(ui, quiet(pixels), help, Tab::Study);
             if let Some(reduction) = reduction {
                 ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Wrap);
                 ui.set_max_width(MAX_SENTENCE_POINTS);
-                line(ui, quiet(reduction), "A slow machine draws fewer pixels; a stopped sea has all.", Tab::Study);
+                line(ui, quiet(reduction), tr("A slow machine draws fewer pixels; a stopped sea has all."), Tab::Study);
             }
         });
     });

@@ -2,6 +2,7 @@
 
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
+use crate::app::language::tr;
 use crate::state::Params;
 use crate::state::fields::{Field, Group};
 use crate::state::params::Sea;
@@ -24,9 +25,9 @@ pub fn is_asked_for(field: &Field, words: &str) -> bool {
 pub fn show_add_button(app: &mut App, ui: &mut egui::Ui) {
     let is_off = |group: &Group| group.further_system_index().is_some_and(|i| !app.params.sea.systems[i].is_on());
     let next = Group::ALL.into_iter().find(is_off);
-    let button = ui.add_enabled(next.is_some(), egui::Button::new("Add a wave system"));
-    let button = button.on_hover_text("Swell, or another wind sea: its spectrum adds to those of the others.");
-    let button = button.on_disabled_hover_text("All wave systems are on.");
+    let button = ui.add_enabled(next.is_some(), egui::Button::new(tr("Add a wave system")));
+    let button = button.on_hover_text(tr("Swell, or another wind sea: its spectrum adds to those of the others."));
+    let button = button.on_disabled_hover_text(tr("All wave systems are on."));
     let Some(group) = next.filter(|_| button.clicked()) else { return };
     if let Some(i) = group.further_system_index() {
         app.params.sea.systems[i].height_factor = 1.0;
@@ -38,7 +39,7 @@ pub fn show_add_button(app: &mut App, ui: &mut egui::Ui) {
 /// wind sea.
 pub fn show_remove_button(params: &mut Params, group: Group, ui: &mut egui::Ui) {
     let Some(i) = group.further_system_index() else { return };
-    let button = ui.button("Remove this system").on_hover_text("Switches it off, with its default values.");
+    let button = ui.button(tr("Remove this system")).on_hover_text(tr("Switches it off, with its default values."));
     if with_accessible_name(button, &format!("Remove the {}", group.label().to_lowercase())).clicked() {
         params.sea.systems[i] = Sea::default().systems[i].clone();
     }

@@ -4,13 +4,30 @@ use super::super::App;
 use super::super::accessible_names::with_accessible_value;
 use super::super::units::UnitScale;
 use super::{rows, touch};
+use crate::app::language::{say, text, tr};
 use crate::state::Params;
 use crate::state::fields::{self, Group};
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// Names of the sixteen points of the compass, clockwise from north.
-const COMPASS_POINTS: [&str; 16] =
-    ["N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"];
+const COMPASS_POINTS: [&str; 16] = [
+    text!("N"),
+    text!("NNE"),
+    text!("NE"),
+    text!("ENE"),
+    text!("E"),
+    text!("ESE"),
+    text!("SE"),
+    text!("SSE"),
+    text!("S"),
+    text!("SSW"),
+    text!("SW"),
+    text!("WSW"),
+    text!("W"),
+    text!("WNW"),
+    text!("NW"),
+    text!("NNW"),
+];
 
 /// Name of the compass point nearest to a direction in degrees, clockwise from north.
 pub fn compass_point(deg: f64) -> &'static str {
@@ -29,38 +46,42 @@ fn nothing(_: &Params) -> String {
 }
 
 const WIND_ROWS: [Row; 2] = [
-    Row { key: "fetch", label: "Blowing over", meaning: |_| "of open water (fetch)".into() },
-    Row { key: "dir", label: "Wind from", meaning: |p| compass_point(p.sea.first_system().from_deg).into() },
+    Row { key: "fetch", label: text!("Blowing over"), meaning: |_| tr("of open water (fetch)").into() },
+    Row { key: "dir", label: text!("Wind from"), meaning: |p| tr(compass_point(p.sea.first_system().from_deg)).into() },
 ];
 const SWELL_ROWS: [Row; 3] = [
-    Row { key: "hs2", label: "Swell height", meaning: |_| "waves of a wind far away".into() },
-    Row { key: "tp2", label: "Swell period", meaning: |p| swell_length(p.sea.systems[1].tp_s) },
-    Row { key: "dir2", label: "Swell from", meaning: |p| compass_point(p.sea.systems[1].from_deg).into() },
+    Row { key: "hs2", label: text!("Swell height"), meaning: |_| tr("waves of a wind far away").into() },
+    Row { key: "tp2", label: text!("Swell period"), meaning: |p| swell_length(p.sea.systems[1].tp_s) },
+    Row { key: "dir2", label: text!("Swell from"), meaning: |p| tr(compass_point(p.sea.systems[1].from_deg)).into() },
 ];
 const SKY_ROWS: [Row; 4] = [
-    Row { key: "sun", label: "Sun height", meaning: |p| time_of_light(p).into() },
+    Row { key: "sun", label: text!("Sun height"), meaning: |p| tr(time_of_light(p)).into() },
     Row {
         key: "sunaz",
-        label: "Sun in the",
-        meaning: |p| compass_point(p.look.sky.sun_elevation_azimuth_deg()[1]).into(),
+        label: text!("Sun in the"),
+        meaning: |p| tr(compass_point(p.look.sky.sun_elevation_azimuth_deg()[1])).into(),
     },
-    Row { key: "clouds", label: "Clouds", meaning: nothing },
-    Row { key: "cloudcover", label: "Cloud cover", meaning: nothing },
+    Row { key: "clouds", label: text!("Clouds"), meaning: nothing },
+    Row { key: "cloudcover", label: text!("Cloud cover"), meaning: nothing },
 ];
-const WATER_ROWS: [Row; 1] = [Row { key: "depth", label: "Water depth", meaning: nothing }];
+const WATER_ROWS: [Row; 1] = [Row { key: "depth", label: text!("Water depth"), meaning: nothing }];
 
 /// Length of a swell in deep water, in words; empty if its period is computed from the wind.
 fn swell_length(period_s: f64) -> String {
-    if period_s > 0.0 { format!("about {:.0} m long", 1.56 * period_s * period_s) } else { String::new() }
+    if period_s > 0.0 {
+        say!("about {length} m long", length = format!("{:.0}", 1.56 * period_s * period_s))
+    } else {
+        String::new()
+    }
 }
 
 fn time_of_light(p: &Params) -> &'static str {
     match p.look.sky.sun_elevation_azimuth_deg()[0] {
-        x if x < -12.0 => "night",
-        x if x < 0.0 => "dusk or dawn",
-        x if x < 10.0 => "golden light",
-        x if x < 35.0 => "morning or afternoon",
-        _ => "high sun",
+        x if x < -12.0 => text!("night"),
+        x if x < 0.0 => text!("dusk or dawn"),
+        x if x < 10.0 => text!("golden light"),
+        x if x < 35.0 => text!("morning or afternoon"),
+        _ => text!("high sun"),
     }
 }
 
@@ -76,7 +97,7 @@ pub fn show_weather(app: &mut App, ui: &mut egui::Ui) {
     if *swell != swell_before && !swell.is_on() {
         swell.height_factor = 1.0;
     }
-    if swell.is_on() && ui.button("No swell").clicked() {
+    if swell.is_on() && ui.button(tr("No swell")).clicked() {
         swell.height_factor = 0.0;
     }
     ui.separator();
@@ -94,15 +115,15 @@ fn show_rows(app: &mut App, ui: &mut egui::Ui, rows: &[Row]) {
         let is_swell = field.group == Group::SecondSystem;
         let inactive = field.inactive_because(&app.params).filter(|_| !is_swell);
         let label = ui.horizontal(|ui| {
-            let label = ui.add_enabled(inactive.is_none(), egui::Label::new(row.label));
-            let label = rows::explain(ui, label, field.help);
+            let label = ui.add_enabled(inactive.is_none(), egui::Label::new(tr(row.label)));
+            let label = rows::explain(ui, label, tr(field.help));
             if inactive.is_none() {
                 ui.weak(meaning);
             }
             label.id
         });
         if let Some(why) = inactive {
-            ui.weak(egui::RichText::new(why.reason).size(rows::REASON_TEXT_POINTS));
+            ui.weak(egui::RichText::new(tr(why.reason)).size(rows::REASON_TEXT_POINTS));
         }
         rows::show_value(&mut app.params, field, (label.inner, inactive.is_none()), ui);
     }
@@ -116,22 +137,22 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
     let wind_m_s = app.params.sea.first_system().wind_m_s;
     let force = beaufort::beaufort_number(wind_m_s);
     ui.horizontal(|ui| {
-        ui.strong("Wind");
-        ui.weak(format!("force {force}, {}", BEAUFORT_FORCES[force].name.to_lowercase()));
+        ui.strong(tr("Wind"));
+        ui.weak(say!("force {force}, {name}", force = force, name = tr(BEAUFORT_FORCES[force].name).to_lowercase()));
     });
     let mut number = force as f64;
     ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = rows::slider_width(ui);
         let slider = egui::Slider::new(&mut number, 0.0..=12.0).integer().show_value(false);
-        let help = "Sets the wind of this force, and a fetch for which the sea is as high as the scale says.";
+        let help = tr("Sets the wind of this force, and a fetch for which the sea is as high as the scale says.");
         let slider = ui.add(slider);
         touch::keep_value_while_scrolling(ui, &slider, &mut number, force as f64);
-        rows::explain(ui, with_accessible_value(slider, "Beaufort", number), help);
+        rows::explain(ui, with_accessible_value(slider, tr("Beaufort"), number), help);
         let mut shown = wind_m_s * speed.factor;
         let exact = egui::DragValue::new(&mut shown).range(0.0..=60.0 * speed.factor).speed(0.1).max_decimals(1);
         let exact = exact.suffix(speed.suffix()).custom_parser(move |text| parse_wind(text, speed));
-        let exact = with_accessible_value(ui.add(exact), "Wind speed", wind_m_s);
-        if exact.on_hover_text("Wind speed 10 m above the sea; 25 kn, 12 m/s and 7 bft are understood.").changed() {
+        let exact = with_accessible_value(ui.add(exact), tr("Wind speed"), wind_m_s);
+        if exact.on_hover_text(tr("Wind speed 10 m above the sea; 25 kn, 12 m/s and 7 bft are understood.")).changed() {
             // Six digits: typed as 25 kn, the link has `wind=12.8611`.
             app.params.sea.systems[0].wind_m_s = rows::round_to_significant_digits(shown / speed.factor);
         }
@@ -144,11 +165,13 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
     let metres = app.length_scale();
     let hs_m = app.derived.theoretical_statistics.hs_m;
     let (code, word) = beaufort::sea_state(hs_m);
-    ui.label(force.appearance).on_hover_text("Beaufort scale, WMO");
-    ui.weak(format!(
-        "Textbook height {}, this sea {}; sea state {code}, {word} (Douglas)",
-        metres.format(force.probable_hs_m, 1),
-        metres.format(hs_m, 1),
+    ui.label(tr(force.appearance)).on_hover_text(tr("Beaufort scale, WMO"));
+    ui.weak(say!(
+        "Textbook height {textbook}, this sea {height}; sea state {code}, {word} (Douglas)",
+        textbook = metres.format(force.probable_hs_m, 1),
+        height = metres.format(hs_m, 1),
+        code = code,
+        word = tr(word),
     ));
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::App;
 use super::{PLOT_COLOURS, PlotTable, fixed_plot};
+use crate::app::language::tr;
 use crate::waves::crest_theory::{CrestTheory, EXCEEDANCE_COLUMNS, Weibull, exceedance_table};
 use crate::waves::crests::{Estimate, WaveRecordStatistics};
 use egui_plot::{GridMark, HoverPosition, Legend, Line, LineStyle, PlotPoints, Points};
@@ -72,10 +73,10 @@ pub fn show_exceedance_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
         .y_axis_formatter(|mark, _| format!("{}", 10f64.powf(mark.value)));
     plot.show(ui, |plot| {
         let laws = [
-            ("Rayleigh, crests", theory.rayleigh_crests, 0, LineStyle::dashed_loose()),
-            ("Forristall, crests", theory.forristall_3d_crests, 0, LineStyle::Solid),
-            ("Rayleigh, heights", theory.rayleigh_heights, 1, LineStyle::dashed_loose()),
-            ("Boccotti, heights", theory.boccotti_heights, 1, LineStyle::Solid),
+            (tr("Rayleigh, crests"), theory.rayleigh_crests, 0, LineStyle::dashed_loose()),
+            (tr("Forristall, crests"), theory.forristall_3d_crests, 0, LineStyle::Solid),
+            (tr("Rayleigh, heights"), theory.rayleigh_heights, 1, LineStyle::dashed_loose()),
+            (tr("Boccotti, heights"), theory.boccotti_heights, 1, LineStyle::Solid),
         ];
         for (name, law, colour, style) in laws {
             plot.line(Line::new(name, curve(law, scale.factor)).color(PLOT_COLOURS[colour]).style(style));
@@ -87,10 +88,10 @@ pub fn show_exceedance_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
             plot.points(Points::new(name, points).radius(1.8).color(PLOT_COLOURS[colour]));
         }
     });
-    ui.label(
-        record
-            .map_or_else(|| "The first waves appear after 10 s of record.".to_owned(), |r| shape_and_groups(r, theory)),
-    );
+    ui.label(record.map_or_else(
+        || tr("The first waves appear after 10 s of record.").to_owned(),
+        |r| shape_and_groups(r, theory),
+    ));
     let rows = record.map_or_else(Vec::new, |r| exceedance_table(r, theory));
     PlotTable {
         name: "crests.csv",

@@ -11,6 +11,7 @@ mod spectrum;
 
 use super::App;
 use super::accessible_names::with_accessible_name;
+use crate::app::language::{say, tr};
 use egui::Color32;
 use egui_plot::Plot;
 use std::fmt::Write as _;
@@ -57,20 +58,22 @@ fn fixed_plot(name: &str) -> Plot<'_> {
 /// Adds all plots to the panel, one below the other.
 pub fn show_all_plots(app: &mut App, ui: &mut egui::Ui) {
     let mut table_to_save = None;
-    show_plot_section(ui, "Spectrum", true, &mut table_to_save, |ui| {
+    show_plot_section(ui, tr("Spectrum"), true, &mut table_to_save, |ui| {
         app.visible_readouts.map_statistics.set(true);
         spectrum::show_spectrum_plot(app, ui)
     });
-    show_plot_section(ui, "Directions", false, &mut table_to_save, |ui| polar::show_direction_plot(app, ui));
-    show_plot_section(ui, "Sea at a buoy", false, &mut table_to_save, |ui| {
+    show_plot_section(ui, tr("Directions"), false, &mut table_to_save, |ui| polar::show_direction_plot(app, ui));
+    show_plot_section(ui, tr("Sea at a buoy"), false, &mut table_to_save, |ui| {
         app.visible_readouts.height_record.set(true);
         series::show_height_record_plot(app, ui)
     });
-    show_plot_section(ui, "Crests at a buoy", false, &mut table_to_save, |ui| {
+    show_plot_section(ui, tr("Crests at a buoy"), false, &mut table_to_save, |ui| {
         app.visible_readouts.height_record.set(true);
         exceedance::show_exceedance_plot(app, ui)
     });
-    show_plot_section(ui, "Cut through the sea", false, &mut table_to_save, |ui| profile::show_profile_plot(app, ui));
+    show_plot_section(ui, tr("Cut through the sea"), false, &mut table_to_save, |ui| {
+        profile::show_profile_plot(app, ui)
+    });
     if let Some(table) = table_to_save {
         let text = table.csv(&app.state());
         app.save(table.name, text.as_bytes());
@@ -88,8 +91,8 @@ fn show_plot_section(
 ) {
     egui::CollapsingHeader::new(title).default_open(open).show(ui, |ui| {
         let table = plot(ui);
-        let button = ui.small_button("CSV").on_hover_text("Saves these numbers.");
-        if with_accessible_name(button, &format!("{title}: save as CSV")).clicked() {
+        let button = ui.small_button(tr("CSV")).on_hover_text(tr("Saves these numbers."));
+        if with_accessible_name(button, &say!("{title}: save as CSV", title = title)).clicked() {
             *table_to_save = Some(table);
         }
     });

@@ -2,6 +2,7 @@
 
 use super::super::App;
 use super::PlotTable;
+use crate::app::language::tr;
 use crate::waves::Plan;
 use egui::{Color32, Mesh, Stroke, vec2};
 
@@ -53,7 +54,7 @@ fn density_colour(x: f64) -> Color32 {
 /// Returns the data as a table for a CSV file.
 pub fn show_direction_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let wheel = app.derived.directional_spectrum();
-    ui.weak("Where the waves come from, north up; long waves inside, short ones outside");
+    ui.weak(tr("Where the waves come from, north up; long waves inside, short ones outside"));
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), POLAR_PLOT_HEIGHT_POINTS), egui::Sense::hover());
     let centre = rect.center();
@@ -107,7 +108,7 @@ pub fn show_direction_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
             ));
         }
     }
-    ui.weak("The arrow is the local wind. Brightness is the root of the density.");
+    ui.weak(tr("The arrow is the local wind. Brightness is the root of the density."));
     let rows = (0..FREQUENCY_COUNT * DIRECTION_COUNT).map(|j| {
         vec![
             wheel.omega[j / DIRECTION_COUNT],

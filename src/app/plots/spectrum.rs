@@ -3,6 +3,7 @@
 
 use super::super::App;
 use super::{PLOT_COLOURS, PlotTable, fixed_plot};
+use crate::app::language::tr;
 use crate::state::params::MAX_WAVE_SYSTEMS;
 use crate::waves::Plan;
 use egui_plot::{Bar, BarChart, Legend, Line, LineStyle, PlotPoints, VLine};
@@ -28,7 +29,7 @@ pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let curve = |density: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
         (0..=CURVE_INTERVALS).map(|i| [omega(i), density(omega(i))]).collect()
     };
-    ui.weak("Variance density S(ω), m² s, over ω, rad/s");
+    ui.weak(tr("Variance density S(ω), m² s, over ω, rad/s"));
     let several = plan.systems.len() > 1;
     let record = app.record.spectrum();
     let maps = app.sea_measurement.bin_width_and_spectrum();
