@@ -1,12 +1,10 @@
 //! Files that are dropped on the window or the page, or chosen in a dialog: spectra of a buoy or a wave model, a sky
 //! image, a saved picture or a list of seas.
-//! saved picture or a list of seas.
 
-use crate::app::language::{text, tr};
-use crate::files::measured::{MAX_FILES_PER_SPECTRUM, MeasuredSpectrum};
+#[cfg(target_arch = "wasm32")]
 use super::tasks;
 use super::{App, tasks::Inbox};
-#[cfg(target_arch = "wasm32")]
+use crate::app::language::{text, tr};
 use crate::files::measured::{MAX_FILES_PER_SPECTRUM, MeasuredSpectrum};
 use crate::files::panorama::{self, Panorama};
 use crate::files::{input, picture};
