@@ -101,13 +101,13 @@ impl WebHandle {
 
     /// The sea in a few words, such as `Force 5 sea, waves 1.9 m high`; empty if the app does not run.
     pub fn sea_in_words(&self) -> String {
-        self.with_app(|app| app.sea_in_words()).unwrap_or_default()
+        self.with_current_sea(|app| app.sea_in_words()).unwrap_or_default()
     }
 
     /// Heights of the sea above the still water, m, at points and a time, from its strongest waves. `places` holds x
     /// (east) and z (south) of one point after the other, m; `t_s` is the simulated time, s, without one the present.
     pub fn heights(&self, places: &[f64], t_s: Option<f64>) -> Vec<f64> {
-        self.with_app(|app| app.heights_m(places, t_s)).unwrap_or_default()
+        self.with_current_sea(|app| app.heights_m(places, t_s)).unwrap_or_default()
     }
 
     /// Opens files, which the user has chosen, as if they had been dropped on the page.
@@ -225,6 +225,14 @@ impl WebHandle {
 
     fn items(&self) -> Vec<AccessibleItem> {
         self.with_app(|app| app.screen_readers.items(&app.ctx)).unwrap_or_default()
+    }
+
+    /// As [`Self::with_app`], after the statistics and waves of a sea that was set since the last frame are computed.
+    fn with_current_sea<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
+        self.with_app(|app| {
+            app.update_derived_sea_data();
+            f(app)
+        })
     }
 
     fn with_app<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
