@@ -36,7 +36,8 @@ export async function frames(context) {
       assert.match(before, /^v=2&wind=9&fetch=200&mesh=0.1&t=20&pause=1&n=64&ui=mini/);
       assert.match(after, /^v=2&wind=25&fetch=500.*ui=mini/, 'what is shown over the sea stays as it is');
       assert.equal(detail.state, after);
-      assert.match(words, /^Force 10 sea, waves [6-9]\.\d m high$/, 'the new sea, not the old one');
+      const height_m = Number(/^Force 10 sea, waves (\d+\.\d) m high$/.exec(words)?.[1]);
+      assert.ok(height_m > 5, `the new sea, not the old one: ${words}`);
       assert.equal(heights.length, 3);
       assert.equal(heights[0], heights[2]);
       assert.ok(heights.every(Number.isFinite) && heights[0] !== heights[1] && heights[0] !== later[0], `${heights}`);
