@@ -3,7 +3,7 @@ const sea = document.getElementById('first');
 const element = (id) => document.getElementById(id);
 
 // The address of this page can hold settings of the first sea, such as ?n=64.
-if (location.search) sea.setAttribute('state', `wind=12&fetch=150&${location.search.slice(1)}`);
+if (location.search) sea.setAttribute('state', `wind=9&fetch=200&${location.search.slice(1)}`);
 
 const show = (event) => {
   element('words').textContent = `${event.detail.words}.`;

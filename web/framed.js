@@ -18,16 +18,17 @@ async function program() {
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 
 /**
- * The link to open for `text`, a state string or a link. What is shown over the sea stays as it is, unless the text says
+ * What to set for `text`, a state string or a link. What is shown over the sea stays as it is, unless the text says
  * otherwise.
  */
-function linkToOpen(text, now) {
+function stateToSet(text, now) {
   if (typeof text !== 'string' || text.length > MAX_STATE_LENGTH) throw new Error('state: a string is needed');
   const [before, after] = text.split('#')[0].split('?');
   const query = new URLSearchParams(after ?? before);
   const shown = new URLSearchParams(now).get('ui');
   if (!query.has('ui') && shown !== null) query.set('ui', shown);
-  return `?${query}`;
+  // From `?` on, a text is a link that somebody may have kept: without a version it is one of the first.
+  return `${after === undefined ? '' : '?'}${query}`;
 }
 
 function readPoints(points) {
@@ -43,7 +44,7 @@ const ANSWERS = {
   listen: (sea) => describe(sea),
   getState: (sea) => sea.link_state(),
   setState(sea, { state }) {
-    sea.set_state(linkToOpen(state, sea.link_state()));
+    sea.set_state(stateToSet(state, sea.link_state()));
     return sea.link_state();
   },
   heights(sea, { points, time }) {

@@ -7,6 +7,7 @@
 // types are in sea-state.d.ts.
 
 const PAGE = new URL('./', import.meta.url);
+const NEWEST_VERSION = '2'; // of state strings: src/state/versions.rs
 const PATIENCE_MS = 60_000; // for an answer; before the first one, the program has to be downloaded
 
 class SeaState extends HTMLElement {
@@ -83,8 +84,10 @@ class SeaState extends HTMLElement {
 
   #load() {
     const address = new URL(this.getAttribute('src') ?? PAGE, document.baseURI);
-    const state = (this.getAttribute('state') ?? '').replace(/^[^?]*\?/, '');
-    const query = new URLSearchParams(state || address.search);
+    const [before, after] = (this.getAttribute('state') ?? '').split('#')[0].split('?');
+    const query = new URLSearchParams(after || before || address.search);
+    // A bare state string has the newest version, a link without one the first.
+    if (before && !after && !query.has('v')) query.set('v', NEWEST_VERSION);
     if (!query.has('ui')) query.set('ui', this.getAttribute('ui') ?? 'mini');
     address.search = query;
     this.#origin = address.origin;

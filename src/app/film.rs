@@ -56,7 +56,7 @@ impl App {
         self.params.clock.paused = false;
         let length_s = self.film_length_s().min(MAX_FILM_S);
         self.film = Some(Film { end_t_s: self.params.clock.t_s + length_s * self.params.clock.speed });
-        super::web::tell_page("seastate-film-start");
+        super::web_page::tell_page("seastate-film-start");
     }
 
     /// Ends the film that is being recorded once its time is over, or at once if the user has stopped the time.
@@ -66,7 +66,7 @@ impl App {
         let clock = &self.params.clock;
         if clock.t_s >= film.end_t_s || clock.paused {
             self.film = None;
-            super::web::tell_page("seastate-film-stop");
+            super::web_page::tell_page("seastate-film-stop");
         }
     }
 }

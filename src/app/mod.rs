@@ -36,6 +36,8 @@ mod units;
 mod viewport;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
+#[cfg(target_arch = "wasm32")]
+mod web_page;
 
 use crate::gpu::Gpu;
 use crate::point::buoy_record::BuoyRecord;

@@ -125,7 +125,7 @@ impl App {
     /// Lets the user choose files to open: clicks the page's file input, whose files come back by [`Self::open_chosen`].
     #[cfg(target_arch = "wasm32")]
     pub(super) fn choose_files(&self) {
-        super::web::tell_page("seastate-choose-files");
+        super::web_page::tell_page("seastate-choose-files");
     }
 
     /// Opens the files that the user has chosen in the page's file input.

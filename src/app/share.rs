@@ -15,7 +15,7 @@ impl App {
     /// The link to the current sea: the page's address with the state string; on the desktop the bare state string.
     pub fn link(&self) -> String {
         #[cfg(target_arch = "wasm32")]
-        return super::web::page_link(&query::write_to_keep(&with_rounded_pose(&self.params)));
+        return super::web_page::page_link(&query::write_to_keep(&with_rounded_pose(&self.params)));
         #[cfg(not(target_arch = "wasm32"))]
         self.state()
     }
@@ -53,7 +53,7 @@ impl App {
         params.screen.interface = interface;
         let state = query::write_to_keep(&params);
         #[cfg(target_arch = "wasm32")]
-        return super::web::page_link(&state);
+        return super::web_page::page_link(&state);
         #[cfg(not(target_arch = "wasm32"))]
         format!("{EXAMPLE_PAGE}?{state}")
     }

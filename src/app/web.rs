@@ -3,11 +3,12 @@
 use super::device_loss::{AppCreation, AppHost, ParkedApp};
 use super::gpu_errors::GpuErrors;
 use super::screen_readers::AccessibleItem;
+use super::web_page::{accessible_item_object, is_framed, js_object, page_link, pass_timing_object};
 use super::{App, setup, tasks};
-use crate::bench::{self, BenchOptions, PassTiming};
+use crate::bench::{self, BenchOptions};
 use crate::gpu::Gpu;
 use crate::ocean::Ocean;
-use crate::state::start::{DEFAULT_SEA, given_or_start};
+use crate::state::start::given_or_start;
 use crate::state::{Params, query, rounding::with_rounded_pose};
 use half::f16;
 use std::cell::RefCell;
@@ -100,13 +101,13 @@ impl WebHandle {
 
     /// The sea in a few words, such as `Force 5 sea, waves 1.9 m high`; empty if the app does not run.
     pub fn sea_in_words(&self) -> String {
-        self.with_app(|app| app.sea_in_words()).unwrap_or_default()
+        self.with_current_sea(|app| app.sea_in_words()).unwrap_or_default()
     }
 
     /// Heights of the sea above the still water, m, at points and a time, from its strongest waves. `places` holds x
     /// (east) and z (south) of one point after the other, m; `t_s` is the simulated time, s, without one the present.
     pub fn heights(&self, places: &[f64], t_s: Option<f64>) -> Vec<f64> {
-        self.with_app(|app| app.heights_m(places, t_s)).unwrap_or_default()
+        self.with_current_sea(|app| app.heights_m(places, t_s)).unwrap_or_default()
     }
 
     /// Opens files, which the user has chosen, as if they had been dropped on the page.
@@ -228,6 +229,14 @@ impl WebHandle {
         self.with_app(|app| app.screen_readers.items(&app.ctx)).unwrap_or_default()
     }
 
+    /// As [`Self::with_app`], after the statistics and waves of a sea that was set since the last frame are computed.
+    fn with_current_sea<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
+        self.with_app(|app| {
+            app.update_derived_sea_data();
+            f(app)
+        })
+    }
+
     fn with_app<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
         if let Some(app) = self.parked.borrow_mut().as_mut() {
             return Some(f(app));
@@ -235,59 +244,6 @@ impl WebHandle {
         let mut host = self.runner.app_mut::<AppHost>()?;
         host.app().map(f)
     }
-}
-
-/// A JavaScript object with the given property names and values.
-fn js_object<const N: usize>(properties: [(&str, JsValue); N]) -> JsValue {
-    let object = js_sys::Object::new();
-    for (key, value) in properties {
-        // Setting a property of a new object cannot fail.
-        let _ = js_sys::Reflect::set(&object, &key.into(), &value);
-    }
-    object.into()
-}
-
-fn pass_timing_object(row: &PassTiming) -> JsValue {
-    js_object([
-        ("pass", row.pass.into()),
-        ("n", row.fft_size_and_cascades.map(|[n, _]| n).into()),
-        ("cascades", row.fft_size_and_cascades.map(|[_, cascades]| cascades).into()),
-        ("width", row.picture_size.map(|[width, _]| width).into()),
-        ("height", row.picture_size.map(|[_, height]| height).into()),
-        ("ms", row.timing.gpu_or_median_wall_ms().into()),
-    ])
-}
-
-fn accessible_item_object(item: &AccessibleItem) -> JsValue {
-    let [least, greatest, step] = item.number.map_or([None; 3], |(_, range)| range);
-    js_object([
-        ("id", item.id.as_str().into()),
-        ("role", item.role.as_str().into()),
-        ("label", item.label.as_str().into()),
-        ("value", item.value.as_str().into()),
-        ("now", item.number.map(|(now, _)| now).into()),
-        ("least", least.into()),
-        ("greatest", greatest.into()),
-        ("step", step.into()),
-        ("on", item.checked.into()),
-        ("open", item.expanded.into()),
-        ("disabled", item.disabled.into()),
-        ("clickable", item.clickable.into()),
-    ])
-}
-
-/// Sends an event to the page's scripts.
-pub fn tell_page(event: &str) {
-    if let (Some(window), Ok(event)) = (web_sys::window(), web_sys::Event::new(event)) {
-        // A listener that fails leaves the app as it is.
-        let _ = window.dispatch_event(&event);
-    }
-}
-
-/// Whether the page is shown in a frame of another page.
-fn is_framed() -> bool {
-    let parent = web_sys::window().and_then(|w| w.parent().ok().flatten());
-    parent.zip(web_sys::window()).is_some_and(|(parent, window)| parent != window)
 }
 
 /// Whether a media query fits this browser, such as that the user has asked for reduced motion.
@@ -325,13 +281,6 @@ fn address_query() -> String {
 /// Link to the sea of the page's address with the query `query`.
 fn address_link(query: &str) -> String {
     format!("?{}", given_or_start(query))
-}
-
-/// Address (URL) of this web page with the given state string as its query; an empty one is the default sea.
-pub fn page_link(state: &str) -> String {
-    let location = eframe::web::web_location();
-    let base = location.url.split(['?', '#']).next().unwrap_or_default().to_owned();
-    format!("{base}?{}", if state.is_empty() { DEFAULT_SEA } else { state })
 }
 
 /// The page's address (URL) as the app last read or wrote it. If the browser's address then differs, the user went back
