@@ -158,7 +158,7 @@ impl AdaptiveQuality {
     }
 
     /// Says in a sentence what is left out of the picture, and why; `None` if nothing is.
-    pub fn reduction_in_words(&self, screen: &Screen) -> Option<String> {
+    pub fn reduction_in_words(&self, grid: &Grid, screen: &Screen) -> Option<String> {
         let is_reduced = screen.adaptive && !self.time_is_stopped && self.governor.level() != 0;
         if self.out_of_memory_errors == 0 && !is_reduced {
             return None;
@@ -168,7 +168,8 @@ impl AdaptiveQuality {
         }
         let percent = 100.0 * self.governor.scale().powi(2);
         let light = if self.detail(screen) == Detail::Lean { tr(", with simpler light") } else { "" };
-        let waves = if self.governor.halvings() > 0 { tr(", without the shortest waves") } else { "" };
+        let has_all_waves = self.reduced_grid(grid, screen).n == grid.n;
+        let waves = if has_all_waves { "" } else { tr(", without the shortest waves") };
         let why = match self.governor.whole_frame_gpu_s() {
             Some(gpu_s) => say!("with all of them this GPU needs {ms} ms a frame", ms = format!("{:.0}", 1e3 * gpu_s)),
             None => say!("a frame takes {ms} ms", ms = format!("{:.0}", self.frame_ms())),
@@ -249,7 +250,7 @@ mod tests {
         let mut quality = AdaptiveQuality::for_adapter(wgpu::DeviceType::DiscreteGpu, false);
         let screen = Screen::default();
         run(&mut quality, 1.0, |_| 1.0 / 60.0);
-        assert_eq!(quality.reduction_in_words(&screen), None);
+        assert_eq!(quality.reduction_in_words(&Grid::default(), &screen), None);
         // A GPU that needs 24 ms for all pixels.
         let mut t = 0.0;
         while t < 5.0 {
@@ -261,9 +262,9 @@ mod tests {
         }
         let percent = (100.0 * quality.governor.scale().powi(2)).round();
         let words = format!("Drawn at {percent} % of the pixels: with all of them this GPU needs 24 ms a frame.");
-        assert_eq!(quality.reduction_in_words(&screen), Some(words));
+        assert_eq!(quality.reduction_in_words(&Grid::default(), &screen), Some(words));
         let whole = Screen { adaptive: false, ..Screen::default() };
-        assert_eq!(quality.reduction_in_words(&whole), None);
+        assert_eq!(quality.reduction_in_words(&Grid::default(), &whole), None);
     }
 
     #[test]

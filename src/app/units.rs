@@ -66,8 +66,14 @@ impl UnitScale {
         }
         let pair = NAUTICAL.iter().find(|u| [u.nautical, u.metric].contains(&self.unit))?;
         let metric = if unit == pair.nautical { number / pair.factor } else { number };
-        [pair.nautical, pair.metric].contains(&unit).then_some(metric * self.factor)
+        let is_known = [pair.nautical, pair.metric].contains(&unit);
+        is_known.then_some(round_to_significant_digits(metric * self.factor))
     }
+}
+
+/// Rounds a number to seven significant digits: converted from 25 kn, a wind is 12.86111 m/s in the link.
+pub fn round_to_significant_digits(x: f64) -> f64 {
+    format!("{x:.6e}").parse().unwrap_or(x)
 }
 
 impl App {
@@ -97,6 +103,7 @@ mod tests {
         assert!((metric.parse("20 kn").expect("knots") - 10.288_888).abs() < 1e-5);
         assert!((UnitScale::for_unit("m/s", Units::Nautical).parse("10m/s").expect("m/s") - 19.438_444).abs() < 1e-5);
         assert_eq!(UnitScale::for_unit("m", Units::Metric).parse("3,5"), Some(3.5));
+        assert_eq!(metric.parse("25 kn"), Some(12.86111));
         assert_eq!(metric.parse("20 ft"), None);
         assert_eq!(metric.parse("fast"), None);
         assert_eq!(UnitScale::for_unit("deg", Units::Metric).parse("-4°"), Some(-4.0));

@@ -1,7 +1,7 @@
 //! One row of the panel for each parameter: slider, number field with unit, choice, check box or colour.
 
 use super::super::accessible_names::with_accessible_name;
-use super::super::units::UnitScale;
+use super::super::units::{UnitScale, round_to_significant_digits};
 use super::touch;
 use crate::app::language::{local_number, say, tr};
 use crate::state::Params;
@@ -200,15 +200,11 @@ fn number_editor(
     let response = ui.add(with_unit_and_zero_word(field, slider, scale.factor, units));
     touch::keep_value_while_scrolling(ui, &response, &mut shown, before);
     if shown != before {
-        // More digits would only make the link longer; typed in knots, 25 is 12.8611 m/s.
-        *value = round_to_significant_digits(shown / scale.factor);
+        // More digits would only make the link longer.
+        let digits = if scale.factor == 1.0 { shown } else { round_to_significant_digits(shown / scale.factor) };
+        *value = digits;
     }
     response
-}
-
-/// Rounds a number to six significant digits.
-pub fn round_to_significant_digits(x: f64) -> f64 {
-    format!("{x:.5e}").parse().unwrap_or(x)
 }
 
 /// Adds a colour picker for `value`, a colour as the number 0xRRGGBB, and beside it the colour as text.
@@ -261,11 +257,5 @@ mod tests {
         assert!(finds("color", "suncolour") && finds("sun color", "suncolour") && finds("sunset", "sun"));
         assert!(finds("colour", "suncolour") && finds("Beaufort", "wind") && finds("whitecaps", "foam"));
         assert!(!finds("color", "hs") && !finds("sunset", "hs") && !finds("fog", "hs"));
-    }
-
-    #[test]
-    fn numbers_keep_six_digits() {
-        assert_eq!(round_to_significant_digits(12.861_111_111_111_112), 12.8611);
-        assert_eq!((round_to_significant_digits(4000.0), round_to_significant_digits(0.0)), (4000.0, 0.0));
     }
 }

@@ -60,7 +60,7 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             let ([width, height], n) = (app.picture_size(), app.params_to_draw().grid.n);
             let pixels = say!("{n} x {n} points, {width} x {height} pixels", n = n, width = width, height = height);
             let quality = app.quality.describe();
-            let reduction = app.quality.reduction_in_words(&app.params.screen);
+            let reduction = app.quality.reduction_in_words(&app.params.grid, &app.params.screen);
             let mut line = |ui: &mut egui::Ui, text: egui::RichText, help: &str, tab: Tab| {
                 let label = egui::Label::new(text).sense(egui::Sense::click());
                 let label = ui.add(label).on_hover_text(help).on_hover_cursor(egui::CursorIcon::PointingHand);

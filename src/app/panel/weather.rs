@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::super::accessible_names::with_accessible_value;
-use super::super::units::UnitScale;
+use super::super::units::{UnitScale, round_to_significant_digits};
 use super::{rows, touch};
 use crate::app::language::{say, text, tr};
 use crate::state::Params;
@@ -153,8 +153,7 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
         let exact = exact.suffix(speed.suffix()).custom_parser(move |text| parse_wind(text, speed));
         let exact = with_accessible_value(ui.add(exact), tr("Wind speed"), wind_m_s);
         if exact.on_hover_text(tr("Wind speed 10 m above the sea; 25 kn, 12 m/s and 7 bft are understood.")).changed() {
-            // Six digits: typed as 25 kn, the link has `wind=12.8611`.
-            app.params.sea.systems[0].wind_m_s = rows::round_to_significant_digits(shown / speed.factor);
+            app.params.sea.systems[0].wind_m_s = round_to_significant_digits(shown / speed.factor);
         }
     });
     let number = number.round() as usize;
