@@ -12,10 +12,9 @@ const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
 // Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
 const FOAM_FILM_SOFTNESS = 0.4;
 const FOAM_BODY_SOFTNESS = vec2f(0.13, 0.14);
-// Opacity of the film, and what the body adds where it lies on it. A film of bubbles is bluish, because water shows
-// through.
-const FOAM_FILM_OPACITY = vec2f(0.26, 0.4);
-const FOAM_BODY_OPACITY = vec2f(0.52, 0.56);
+// Opacity of the film (x), through which water shows, and what the body adds where it lies on it (y).
+const FOAM_OLD_OPACITY = vec2f(0.26, 0.52);
+const FOAM_FRONT_OPACITY = vec2f(0.4, 0.56);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
@@ -84,14 +83,18 @@ struct FoamAppearance {
 fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
   let mean = beyond * frame.mean_foam;
   let plume = cell.w + FOAM_MEAN_PLUME_RATIO * mean;
+  var old = cell.x;
+  if material.foam_streak_share > 0.0 {
+    old += material.foam_streak_share * (frame.mean_foam - mean - old);
+  }
   // Most pixels have no front, and less foam than is drawn.
-  if cell.z <= FOAM_FRONT_RANGE.x && (cell.x + mean) * frame.foam_amount < FOAM_MIN_AMOUNT {
+  if cell.z <= FOAM_FRONT_RANGE.x && (old + mean) * frame.foam_amount < FOAM_MIN_AMOUNT {
     return FoamAmount(0.0, 0.0, plume);
   }
   let rise = (cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x);
   let front = FOAM_FULL_FRONT * filled * maths_smooth(rise);
   let rest = (1.0 - FOAM_FRONT_SHARES.x * filled) / (1.0 - FOAM_FRONT_SHARES.y * filled);
-  let all = front + (1.0 - front) * (rest * cell.x) + mean;
+  let all = front + (1.0 - front) * (rest * old) + mean;
   let fresh = (front + FOAM_FRONT_SHARES.x * mean) / max(all, 1e-4);
   return FoamAmount(min(all * frame.foam_amount, 1.0), fresh, plume);
 }
@@ -117,9 +120,8 @@ fn foam_level(at: vec2f, pixel: WaterFootprint) -> FoamAmount {
     let uv = map.uv_below_eye + at * map.inverse_side;
     if has_halves {
       let half = (0.25 * map.inverse_side) * pixel.axis;
-      let first = textureSampleLevel(foam_map, nearest_mip_sampler, uv - half, level, 0.0);
-      let last = textureSampleLevel(foam_map, nearest_mip_sampler, uv + half, level, 0.0);
-      foam += (0.5 * share) * (first + last);
+      foam += (0.5 * share) * textureSampleLevel(foam_map, nearest_mip_sampler, uv - half, level, 0.0);
+      foam += (0.5 * share) * textureSampleLevel(foam_map, nearest_mip_sampler, uv + half, level, 0.0);
     } else {
       foam += share * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0);
     }
@@ -190,8 +192,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
   let edge = sqrt(1.0 + soft * soft) * (quantile + shift);
   let sharp = inverseSqrt(soft * soft + unresolved);
-  let film_opacity = mix(FOAM_FILM_OPACITY.x, FOAM_FILM_OPACITY.y, fresh);
-  let body_opacity = mix(FOAM_BODY_OPACITY.x, FOAM_BODY_OPACITY.y, fresh);
+  let opacity = mix(FOAM_OLD_OPACITY, FOAM_FRONT_OPACITY, fresh);
   var out: FoamAppearance;
   var first_body = 0.0;
   let depth_between = FOAM_BILLOW_GRAIN * turn.y;
@@ -211,8 +212,8 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
     tap += 2.0 * step;
     let z = dot(noise, factors);
     let body = foam_normal_cdf((z + edge.y) * sharp.y);
-    let film = film_opacity * foam_normal_cdf((z + edge.x) * sharp.x);
-    out.cover += film + body_opacity * body;
+    let film = opacity.x * foam_normal_cdf((z + edge.x) * sharp.x);
+    out.cover += film + opacity.y * body;
     out.film += film;
     out.grain += heights.y + depth_between * heights.x;
     first_body = body;
