@@ -196,8 +196,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   var out: FoamAppearance;
   var first_body = 0.0;
   let depth_between = FOAM_BILLOW_GRAIN * turn.y;
-  // Heights of billows (x) and lumps (y).
-  var heights = vec2f(0.0);
+  var heights = vec2f(0.0); // of billows and of lumps
   // Two samples lie in the two halves, and on both sides of the pixel's axis.
   let step = select(vec2f(0.0), 0.25 * pixel.axis + 0.31 * pixel.across, has_halves);
   var tap = at - step;

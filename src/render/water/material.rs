@@ -203,7 +203,7 @@ gpu_struct! {
         ring_slope_variance: f32,
         /// Diffuse attenuation coefficient Kd of downwelling light, RGB, 1/m.
         diffuse_attenuation: [f32; 3],
-        /// Part of the mean foam that lies in streaks along the wind all over the sea, not around the breakers; from gales on.
+        /// Part of the mean foam that lies in streaks along the wind all over the sea, not around the breakers.
         foam_streak_share: f32,
     }
 }
