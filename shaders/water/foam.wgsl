@@ -83,10 +83,7 @@ struct FoamAppearance {
 fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
   let mean = beyond * frame.mean_foam;
   let plume = cell.w + FOAM_MEAN_PLUME_RATIO * mean;
-  var old = cell.x;
-  if material.foam_streak_share > 0.0 {
-    old += material.foam_streak_share * (frame.mean_foam - mean - old);
-  }
+  let old = cell.x + material.foam_streak_share * (frame.mean_foam - mean - cell.x);
   // Most pixels have no front, and less foam than is drawn.
   if cell.z <= FOAM_FRONT_RANGE.x && (old + mean) * frame.foam_amount < FOAM_MIN_AMOUNT {
     return FoamAmount(0.0, 0.0, plume);
@@ -120,8 +117,9 @@ fn foam_level(at: vec2f, pixel: WaterFootprint) -> FoamAmount {
     let uv = map.uv_below_eye + at * map.inverse_side;
     if has_halves {
       let half = (0.25 * map.inverse_side) * pixel.axis;
-      foam += (0.5 * share) * textureSampleLevel(foam_map, nearest_mip_sampler, uv - half, level, 0.0);
-      foam += (0.5 * share) * textureSampleLevel(foam_map, nearest_mip_sampler, uv + half, level, 0.0);
+      let first = textureSampleLevel(foam_map, nearest_mip_sampler, uv - half, level, 0.0);
+      let last = textureSampleLevel(foam_map, nearest_mip_sampler, uv + half, level, 0.0);
+      foam += (0.5 * share) * (first + last);
     } else {
       foam += share * textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0);
     }
@@ -153,7 +151,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   // Each sample covers its part of the pixel. Windrows are longer than most pixels and threads shorter: one is enough.
   let part_m = pixel.length_m * select(1.0, 0.5, has_halves);
   let size = WATER_TAP_TEXEL_RATIO * sqrt(part_m * max(pixel.width_m, part_m));
-  let logs = log2(max(vec3f(WATER_TAP_TEXEL_RATIO * pixel.length_m, size, whole_m), vec3f(1e-6)));
+  let logs = vec3f(pixel.log_whole_texel_m, log2(max(vec2f(size, whole_m), vec2f(1e-6))));
   let densities = vec4f(
     material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
@@ -192,7 +190,8 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
   let edge = sqrt(1.0 + soft * soft) * (quantile + shift);
   let sharp = inverseSqrt(soft * soft + unresolved);
-  let opacity = mix(FOAM_OLD_OPACITY, FOAM_FRONT_OPACITY, fresh);
+  let film_opacity = mix(FOAM_OLD_OPACITY.x, FOAM_FRONT_OPACITY.x, fresh);
+  let body_opacity = mix(FOAM_OLD_OPACITY.y, FOAM_FRONT_OPACITY.y, fresh);
   var out: FoamAppearance;
   var first_body = 0.0;
   let depth_between = FOAM_BILLOW_GRAIN * turn.y;
@@ -211,8 +210,8 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
     tap += 2.0 * step;
     let z = dot(noise, factors);
     let body = foam_normal_cdf((z + edge.y) * sharp.y);
-    let film = opacity.x * foam_normal_cdf((z + edge.x) * sharp.x);
-    out.cover += film + opacity.y * body;
+    let film = film_opacity * foam_normal_cdf((z + edge.x) * sharp.x);
+    out.cover += film + body_opacity * body;
     out.film += film;
     out.grain += heights.y + depth_between * heights.x;
     first_body = body;
@@ -221,8 +220,8 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   out.film *= (1.0 - fresh) / max(out.cover, 1e-4);
   out.cover *= share;
   // Lumps are higher where foam covers; the grain is relative to their mean there.
-  let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * 0.4 / max(amount.cover, 1e-4);
-  out.grain = 0.5 + 1.3 * (out.grain * share - usual * (1.0 / 6.08)) + 0.7 * threads.y;
+  let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * (0.4 / 6.08) / max(amount.cover, 1e-4);
+  out.grain = 0.5 + 1.3 * (out.grain * share - usual) + 0.7 * threads.y;
   let strength = material.foam_relief * mix(FOAM_OLD_RELIEF, 1.0, fresh);
   let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;
   out.rough = slope_sigma * slope_sigma * (1.0 - kept.w);
