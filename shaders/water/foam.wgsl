@@ -12,10 +12,9 @@ const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
 // Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
 const FOAM_FILM_SOFTNESS = 0.4;
 const FOAM_BODY_SOFTNESS = vec2f(0.13, 0.14);
-// Opacity of the film, and what the body adds where it lies on it. A film of bubbles is bluish, because water shows
-// through.
-const FOAM_FILM_OPACITY = vec2f(0.26, 0.4);
-const FOAM_BODY_OPACITY = vec2f(0.52, 0.56);
+// Opacity of the film (x), through which water shows, and what the body adds where it lies on it (y).
+const FOAM_OLD_OPACITY = vec2f(0.26, 0.52);
+const FOAM_FRONT_OPACITY = vec2f(0.4, 0.56);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
@@ -84,14 +83,15 @@ struct FoamAppearance {
 fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
   let mean = beyond * frame.mean_foam;
   let plume = cell.w + FOAM_MEAN_PLUME_RATIO * mean;
+  let old = cell.x + material.foam_streak_share * (frame.mean_foam - mean - cell.x);
   // Most pixels have no front, and less foam than is drawn.
-  if cell.z <= FOAM_FRONT_RANGE.x && (cell.x + mean) * frame.foam_amount < FOAM_MIN_AMOUNT {
+  if cell.z <= FOAM_FRONT_RANGE.x && (old + mean) * frame.foam_amount < FOAM_MIN_AMOUNT {
     return FoamAmount(0.0, 0.0, plume);
   }
   let rise = (cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x);
   let front = FOAM_FULL_FRONT * filled * maths_smooth(rise);
   let rest = (1.0 - FOAM_FRONT_SHARES.x * filled) / (1.0 - FOAM_FRONT_SHARES.y * filled);
-  let all = front + (1.0 - front) * (rest * cell.x) + mean;
+  let all = front + (1.0 - front) * (rest * old) + mean;
   let fresh = (front + FOAM_FRONT_SHARES.x * mean) / max(all, 1e-4);
   return FoamAmount(min(all * frame.foam_amount, 1.0), fresh, plume);
 }
@@ -151,7 +151,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   // Each sample covers its part of the pixel. Windrows are longer than most pixels and threads shorter: one is enough.
   let part_m = pixel.length_m * select(1.0, 0.5, has_halves);
   let size = WATER_TAP_TEXEL_RATIO * sqrt(part_m * max(pixel.width_m, part_m));
-  let logs = log2(max(vec3f(WATER_TAP_TEXEL_RATIO * pixel.length_m, size, whole_m), vec3f(1e-6)));
+  let logs = vec3f(pixel.log_whole_texel_m, log2(max(vec2f(size, whole_m), vec2f(1e-6))));
   let densities = vec4f(
     material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
@@ -190,13 +190,12 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
   let edge = sqrt(1.0 + soft * soft) * (quantile + shift);
   let sharp = inverseSqrt(soft * soft + unresolved);
-  let film_opacity = mix(FOAM_FILM_OPACITY.x, FOAM_FILM_OPACITY.y, fresh);
-  let body_opacity = mix(FOAM_BODY_OPACITY.x, FOAM_BODY_OPACITY.y, fresh);
+  let film_opacity = mix(FOAM_OLD_OPACITY.x, FOAM_FRONT_OPACITY.x, fresh);
+  let body_opacity = mix(FOAM_OLD_OPACITY.y, FOAM_FRONT_OPACITY.y, fresh);
   var out: FoamAppearance;
   var first_body = 0.0;
   let depth_between = FOAM_BILLOW_GRAIN * turn.y;
-  // Heights of billows (x) and lumps (y).
-  var heights = vec2f(0.0);
+  var heights = vec2f(0.0); // of billows and of lumps
   // Two samples lie in the two halves, and on both sides of the pixel's axis.
   let step = select(vec2f(0.0), 0.25 * pixel.axis + 0.31 * pixel.across, has_halves);
   var tap = at - step;
@@ -221,8 +220,8 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   out.film *= (1.0 - fresh) / max(out.cover, 1e-4);
   out.cover *= share;
   // Lumps are higher where foam covers; the grain is relative to their mean there.
-  let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * 0.4 / max(amount.cover, 1e-4);
-  out.grain = 0.5 + 1.3 * (out.grain * share - usual * (1.0 / 6.08)) + 0.7 * threads.y;
+  let usual = turn.y * weights.z * kept.z * exp(-0.5 * quantile * quantile) * (0.4 / 6.08) / max(amount.cover, 1e-4);
+  out.grain = 0.5 + 1.3 * (out.grain * share - usual) + 0.7 * threads.y;
   let strength = material.foam_relief * mix(FOAM_OLD_RELIEF, 1.0, fresh);
   let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;
   out.rough = slope_sigma * slope_sigma * (1.0 - kept.w);

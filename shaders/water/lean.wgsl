@@ -131,7 +131,7 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
   let z = over * dot(noise - 0.5, weight * FOAM_PER_DEVIATION.xyz);
   let cut = foam_normal_cdf((z + edge) * inverseSqrt(soft * soft + 1.0 - resolved));
   var out: FoamAppearance;
-  out.cover = cut * mix(LEAN_OLD_FOAM_OPACITY, FOAM_FILM_OPACITY.y + FOAM_BODY_OPACITY.y, amount.fresh);
+  out.cover = cut * mix(LEAN_OLD_FOAM_OPACITY, FOAM_FRONT_OPACITY.x + FOAM_FRONT_OPACITY.y, amount.fresh);
   out.film = LEAN_FILM * (1.0 - amount.fresh);
   out.grain = 0.5;
   return out;

@@ -65,6 +65,8 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
 /// Least density of texels that a layer counts with, relative to that along its denser axis: a longer tile would
 /// flicker across its axis.
 const MIN_DENSITY_RATIO: f64 = 0.4;
+/// Part of a storm's mean foam that lies in streaks over the whole sea.
+const MOST_FOAM_IN_STREAKS: f64 = 0.25;
 /// Time for which a glint of the sun lasts, s.
 const GLINT_MOMENT_S: f64 = 0.06;
 /// Period of the cells of both layers of rings (shaders/water/rings.wgsl), m; area of the larger cells, m^2; and how
@@ -201,7 +203,8 @@ gpu_struct! {
         ring_slope_variance: f32,
         /// Diffuse attenuation coefficient Kd of downwelling light, RGB, 1/m.
         diffuse_attenuation: [f32; 3],
-        unused: u32,
+        /// Part of the mean foam that lies in streaks along the wind all over the sea, not around the breakers.
+        foam_streak_share: f32,
     }
 }
 
@@ -272,9 +275,16 @@ impl MaterialUniform {
                 as f32,
             ring_slope_variance: rain::ring_slope_variance(rain_mm_h) as f32,
             diffuse_attenuation: single(water.diffuse_attenuation),
-            unused: 0,
+            foam_streak_share: foam_streak_share(scene.sea.wind_m_s) as f32,
         }
     }
+}
+
+/// Part of the mean foam, 0 to 1, that the wind has spread into streaks over the whole sea. On Beaufort's scale foam is
+/// blown in streaks from 14 m/s on, and in dense streaks from 21 m/s.
+fn foam_streak_share(wind_m_s: f64) -> f64 {
+    let rise = ((wind_m_s - 14.0) / 10.0).clamp(0.0, 1.0);
+    MOST_FOAM_IN_STREAKS * rise * rise * (3.0 - 2.0 * rise)
 }
 
 /// Thresholds of the noises of seagrass and reef that cover the share `cover` of the bed: reefs three tenths of it, and
