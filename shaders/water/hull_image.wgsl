@@ -93,9 +93,12 @@ fn hull_image_place(position: vec3f, height_m: f32) -> vec3f {
 fn hull_image_mirrored(mirror: WaterMirror, place: vec3f, v: vec3f, distance_m: f32, slope: WaterSlope) -> WaterMirror {
   var out = mirror;
   let away = -v.xz * inverseSqrt(max(dot(v.xz, v.xz), 1e-6));
+  // Slopes to the side turn the ray by twice their angle times the sine of the view. Hardly any is farther than 2.5
+  // deviations from the mean.
+  let side = abs(v.x * slope.mean.y - v.z * slope.mean.x) + 2.5 * sqrt(max(slope.variance.x, slope.variance.y));
+  let spread = 0.02 + 2.0 * v.y * side;
   for (var i = 0u; i < hull_images.count; i++) {
-    // Slopes to the side turn the ray by twice their angle times the sine of the view.
-    if hull_image_may_meet(i, place.xz, away, 0.03 + 1.2 * v.y) {
+    if hull_image_may_meet(i, place.xz, away, spread) {
       let eye = water_facets_towards(v, slope);
       let low = -(eye.tilt.height / eye.tilt.across + eye.tilt.mean) / eye.tilt.sigma;
       let tilts = water_visible_tilts(low);

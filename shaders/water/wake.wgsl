@@ -11,6 +11,8 @@ const WAKE_EDGE_LENGTH = 0.66667;
 const WAKE_LINE_M = 0.16;
 const WAKE_RIPPLE_M = 1.1;
 const WAKE_DARK_M = 0.6;
+// Distance beyond a hull at which it changes nothing, m.
+const WAKE_REACH_M = 4.0;
 // Length of the drawn wake, m, and the time after which its foam has fallen to 1/e, s.
 const WAKE_LONGEST_M = 90.0;
 const WAKE_FOAM_S = 3.5;
@@ -76,13 +78,16 @@ fn wake_at(place: vec2f, pixel: vec2f) -> Wake {
     let half = vec2f(hull_images.hulls[i].sections[1].half_length_m, hull_images.hulls[i].sections[1].half_width_m);
     let speed_m_s = hull_images.hulls[i].speed_m_s;
     let off = place - middle.xz;
-    let reach_m = half.x + select(5.0, WAKE_LONGEST_M, speed_m_s > 0.3);
-    if dot(off, off) > reach_m * reach_m {
-      continue;
-    }
     let astern = -hull_images.hulls[i].ahead;
     let starboard = vec2f(astern.y, -astern.x);
     let at = vec2f(dot(off, astern), dot(off, starboard));
+    // Most of the sea lies before the bow, beyond the end of the wake, or outside its edges.
+    let longest_m = select(0.0, WAKE_LONGEST_M, speed_m_s > 0.3);
+    let past_m = at.x - half.x - WAKE_REACH_M;
+    let outer_m = half.y + WAKE_REACH_M + select(0.0, 1.5 * WAKE_EDGE * (at.x + half.x), longest_m > 0.0 && at.x > 0.0);
+    if at.x < -half.x - WAKE_REACH_M || past_m > longest_m || abs(at.y) > outer_m {
+      continue;
+    }
     let side = select(-1.0, 1.0, at.y > 0.0);
     // Distance from the ellipse of the water line, to first order.
     let q = at / half;

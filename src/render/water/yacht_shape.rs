@@ -211,9 +211,11 @@ struct Sail {
 
 fn sails(facets: &mut Vec<HullFacet>) {
     let mast = |y: f64| DVec3::new(0.0, y, -MAST_AHEAD_M);
+    // The mainsail runs in a groove at the back of the mast, so that the mast is seen from both sides.
+    let groove = DVec3::Z * 0.11;
     let main = Sail {
-        tack: mast(2.15),
-        head: mast(MAST_TOP_M - 0.4),
+        tack: mast(2.15) + groove,
+        head: mast(MAST_TOP_M - 0.4) + groove,
         foot_m: 4.4,
         chord_exponent: 0.8,
         angles_deg: [14.0, 30.0],
