@@ -23,9 +23,10 @@ const TONE_OUT = mat3x3f(
 
 // Film curve: code value (x^n / (x^n + s))^m of light x. It is as steep as AgX at middle grey, and so long above white
 // that the light around the sun still differs. `log_light` is the binary logarithm of the light.
-const TONE_FILM_CONTRAST = 1.2;
-const TONE_FILM_MIDDLE = 0.391;
+const TONE_FILM_CONTRAST = 1.25;
+const TONE_FILM_MIDDLE = 0.3585;
 const TONE_FILM_GAMMA = 0.55;
+const TONE_FILM_SATURATION = 1.1;
 // Binary logarithm of the light of the brightest channel from which highlights fade no further.
 const TONE_FILM_WHITEST = 4.0;
 
@@ -50,7 +51,7 @@ fn tone_film(linear: vec3f) -> vec3f {
   let kept = mix(hue, own, 0.9 * bleach * bleach);
   let both = 0.5 * (own + kept);
   let grey = sky_luminance(both);
-  return clamp(grey + 1.04 * (both - grey), vec3f(0.0), vec3f(1.0));
+  return clamp(grey + TONE_FILM_SATURATION * (both - grey), vec3f(0.0), vec3f(1.0));
 }
 
 // AgX tone curve by Troy Sobotka in the polynomial form of Benjamin Wrensch, with a look that keeps the sea's blues.

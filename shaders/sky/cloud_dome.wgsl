@@ -27,7 +27,7 @@ const DOME_DIFFUSE = 0.1;
 // Share of the sunlight on the top of a cloud that diffuses down beyond the reach of the octaves.
 const DOME_SUN_IN_DEPTH = 0.22;
 // Share of the diffuse light that reaches the bottom of a crease between two heads.
-const DOME_CREASE = 0.5;
+const DOME_CREASE = 0.35;
 
 // Phase function of droplets, 1/sr: forward and backward lobes. The three components are for the octaves.
 fn dome_phase(c: f32) -> vec3f {

@@ -63,7 +63,9 @@ pub fn extinction_per_m(rate: f64) -> f64 {
 }
 
 /// Mean square slope of the ring waves that drops make: the spectrum over frequency of Bliven, Sobieski and Craeye
-/// (1997), a log-Gaussian, times the square of the wave number at its peak.
+/// (1997), a log-Gaussian, times the square of the wave number at its peak. Treat it as an approximation: its coefficients
+/// were not compared with the paper. One wave number for all frequencies and the logarithm in the width are our choices.
+/// Read as a bandwidth in Hz instead, the same width would give about three times the slope.
 pub fn ring_slope_variance(rate: f64) -> f64 {
     if rate <= 0.0 {
         return 0.0;
