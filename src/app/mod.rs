@@ -31,6 +31,7 @@ pub mod setup;
 mod share;
 mod storage;
 mod tasks;
+mod thumbnails;
 mod text_size;
 mod units;
 mod viewport;
@@ -76,6 +77,7 @@ pub struct App {
     history: history::History,
     quality: quality::AdaptiveQuality,
     languages: language::Languages,
+    thumbnails: thumbnails::Thumbnails,
     /// Whether the help window with the keyboard shortcuts is open.
     help_is_open: bool,
     /// Factor on egui's text and controls that was set last.
@@ -158,6 +160,7 @@ impl App {
             history: history::History::default(),
             quality,
             languages: language::Languages::default(),
+            thumbnails: thumbnails::Thumbnails::default(),
             help_is_open: false,
             text_size: 1.0,
             message: None,

@@ -239,6 +239,9 @@ pub enum Command {
         /// Renders only the pictures whose title contains this text
         #[arg(long, default_value = "", hide_default_value = true)]
         only: String,
+        /// Renders the thumbnails of the named seas instead, to this file (assets/thumbnails/seas.jpg)
+        #[arg(long, conflicts_with = "only")]
+        thumbnails: Option<PathBuf>,
     },
     /// Lists the keys of the state string, with units, ranges, defaults and meaning
     Keys {

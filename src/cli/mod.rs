@@ -12,7 +12,7 @@ use crate::gpu::{Gpu, device};
 use crate::lab::record::{self, RecordFormat, RecordSettings};
 use crate::lab::reference::SamplingSettings;
 use crate::lab::render::PictureSequence;
-use crate::lab::{check, export, gallery, parameters, render, stats, validate};
+use crate::lab::{check, export, gallery, parameters, render, stats, thumbnails, validate};
 use crate::ocean::device_info::DeviceInfo;
 use crate::state::{Params, query};
 use args::{Cli, Command, SeaArgs};
@@ -123,7 +123,8 @@ fn run(cli: Cli) -> Result<i32, String> {
             page.write(&output)?;
             format!("{} and {} figures", output.join("validation.md").display(), page.figure_svgs().len())
         }
-        Some(Command::Gallery { output, only }) => block_on(gallery::run(&gpu()?, &output, &only))?,
+        Some(Command::Gallery { thumbnails: Some(path), .. }) => block_on(thumbnails::run(&gpu()?, &path))?,
+        Some(Command::Gallery { output, only, thumbnails: None }) => block_on(gallery::run(&gpu()?, &output, &only))?,
         Some(Command::Keys { markdown: true }) => parameters::parameters_markdown(),
         Some(Command::Keys { markdown: false }) => parameters::parameter_listing(),
     };

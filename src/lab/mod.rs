@@ -14,6 +14,7 @@ pub mod record;
 pub mod reference;
 pub mod render;
 pub mod stats;
+pub mod thumbnails;
 pub mod validate;
 
 use std::path::Path;

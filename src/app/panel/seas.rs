@@ -1,7 +1,7 @@
 //! The panel's tab of named seas: the built-in ones and the user's own.
 
 use super::super::accessible_names::with_accessible_name;
-use super::super::{App, storage};
+use super::super::{App, storage, thumbnails};
 use super::button_with_help;
 use crate::state::presets::{self, Preset};
 
@@ -52,11 +52,13 @@ impl OwnSeas {
 pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
     let mut chosen = None;
     let shown = app.shown_sea_name();
-    for preset in presets::built_in() {
+    for (index, preset) in presets::built_in().iter().enumerate() {
+        let picture = app.thumbnails.image(index, ui.ctx());
         // The first sentence says what one sees; the rest and the source are for those who ask.
         let says = preset.about.split_inclusive(['.', ':']).next().unwrap_or_default().trim_end_matches(['.', ':']);
         let mut job = egui::text::LayoutJob::default();
-        job.wrap.max_width = ui.available_width() - 16.0;
+        let picture_width = if picture.is_some() { thumbnails::SHOWN_SIZE.x + ui.spacing().icon_spacing } else { 0.0 };
+        job.wrap.max_width = ui.available_width() - 16.0 - picture_width;
         let format = |points, color| egui::TextFormat {
             font_id: egui::FontId::proportional(points),
             color,
@@ -65,7 +67,8 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
         job.append(&format!("{}\n", preset.name), 0.0, format(15.0, ui.visuals().strong_text_color()));
         job.append(says, 0.0, format(12.5, ui.visuals().weak_text_color()));
         let is_shown = shown == Some(preset.name.as_str());
-        let card = egui::Button::new(job).selected(is_shown).min_size(egui::vec2(ui.available_width(), 0.0));
+        let card = egui::Button::opt_image_and_text(picture, Some(job.into()));
+        let card = card.selected(is_shown).min_size(egui::vec2(ui.available_width(), 0.0));
         let card = ui.add(card).on_hover_text(format!("{}\n{}", preset.about, preset.source));
         if with_accessible_name(card, &preset.name).clicked() {
             chosen = Some(preset.clone());
