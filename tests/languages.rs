@@ -2,6 +2,8 @@
 //! values, and characters that the fonts can draw.
 
 use seastate::state::fields::FIELDS;
+use seastate::state::floats::FloatingObjectKind;
+use seastate::state::motion::CAMERA_VIEWS;
 use seastate::state::params::Language;
 use seastate::state::presets;
 use seastate::waves::beaufort::{BEAUFORT_FORCES, sea_state};
@@ -66,6 +68,10 @@ fn english_texts() -> BTreeSet<String> {
         texts.extend([force.name.to_owned(), force.appearance.to_owned()]);
     }
     texts.extend((0..200).map(|i| sea_state(0.1 * f64::from(i)).1.to_owned()));
+    texts.extend(FloatingObjectKind::WORDS.iter().map(|word| (*word).to_owned()));
+    for view in CAMERA_VIEWS {
+        texts.extend([view.name.to_owned(), view.about.to_owned()]);
+    }
     for preset in presets::built_in() {
         texts.extend([preset.name.clone(), preset.about.clone()]);
     }

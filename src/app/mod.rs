@@ -31,8 +31,8 @@ pub mod setup;
 mod share;
 mod storage;
 mod tasks;
-mod thumbnails;
 mod text_size;
+mod thumbnails;
 mod units;
 mod viewport;
 #[cfg(target_arch = "wasm32")]

@@ -18,6 +18,7 @@ mod weather;
 use super::accessible_names::with_accessible_name;
 use super::saved_picture::PictureChoice;
 use super::{App, icons};
+use crate::app::language::tr;
 use crate::files::measured::SpectrumList;
 use crate::state::fields::Group;
 
@@ -56,21 +57,21 @@ impl Tab {
 
     fn icon_and_label(self) -> (&'static str, &'static str) {
         match self {
-            Self::Seas => (icons::SEAS, "Seas"),
-            Self::Weather => (icons::WEATHER, "Weather"),
-            Self::View => (icons::VIEW, "View"),
-            Self::Study => (icons::STUDY, "Study"),
-            Self::Share => (icons::SHARE, "Share"),
+            Self::Seas => (icons::SEAS, tr("Seas")),
+            Self::Weather => (icons::WEATHER, tr("Weather")),
+            Self::View => (icons::VIEW, tr("View")),
+            Self::Study => (icons::STUDY, tr("Study")),
+            Self::Share => (icons::SHARE, tr("Share")),
         }
     }
 
     fn help(self) -> &'static str {
         match self {
-            Self::Seas => "Named seas, and your own.",
-            Self::Weather => "Wind, swell, sun, clouds and depth.",
-            Self::View => "Camera, time, and what floats.",
-            Self::Study => "Every number, plot and parameter.",
-            Self::Share => "Link, picture, frame for a page.",
+            Self::Seas => tr("Named seas, and your own."),
+            Self::Weather => tr("Wind, swell, sun, clouds and depth."),
+            Self::View => tr("Camera, time, and what floats."),
+            Self::Study => tr("Every number, plot and parameter."),
+            Self::Share => tr("Link, picture, frame for a page."),
         }
     }
 }
@@ -149,7 +150,7 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
         return;
     }
     let screen = ctx.content_rect();
-    let window = egui::Window::new("Seastate")
+    let window = egui::Window::new(tr("Seastate"))
         .id(egui::Id::unique("panel"))
         .title_bar(false)
         .auto_sized()
@@ -259,28 +260,28 @@ fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
     };
     ui.horizontal(|ui| {
         let clock = &mut app.params.clock;
-        let (icon, name) = if clock.paused { (icons::PLAY, "Play") } else { (icons::PAUSE, "Pause") };
-        if action(ui, true, icon, name, "Stops and starts the time (Space).") {
+        let (icon, name) = if clock.paused { (icons::PLAY, tr("Play")) } else { (icons::PAUSE, tr("Pause")) };
+        if action(ui, true, icon, name, tr("Stops and starts the time (Space).")) {
             clock.paused = !clock.paused;
         }
         let (can_undo, can_redo) = app.history.can_undo_redo(&app.params);
-        if action(ui, can_undo, icons::UNDO, "Undo", "Undo (Ctrl+Z).") {
+        if action(ui, can_undo, icons::UNDO, tr("Undo"), tr("Undo (Ctrl+Z).")) {
             app.history.undo(&mut app.params);
         }
-        if action(ui, can_redo, icons::REDO, "Redo", "Redo (Ctrl+Y).") {
+        if action(ui, can_redo, icons::REDO, tr("Redo"), tr("Redo (Ctrl+Y).")) {
             app.history.redo(&mut app.params);
         }
-        if action(ui, true, icons::RESET, "Reset", "Every value back to its default.") {
+        if action(ui, true, icons::RESET, tr("Reset"), tr("Every value back to its default.")) {
             let seed = app.params.sea.seed;
             app.set_state("");
             if app.panel.seed_locked {
                 app.params.sea.seed = seed;
             }
         }
-        if action(ui, true, icons::SURPRISE, "Surprise me", "A random named sea.") {
+        if action(ui, true, icons::SURPRISE, tr("Surprise me"), tr("A random named sea.")) {
             app.open_random_preset();
         }
-        if action(ui, true, icons::HELP, "Keys and gestures", "Keys and gestures (F1).") {
+        if action(ui, true, icons::HELP, tr("Keys and gestures"), tr("Keys and gestures (F1).")) {
             app.help_is_open = !app.help_is_open;
         }
     });

@@ -3,6 +3,7 @@
 use super::super::accessible_names::with_accessible_name;
 use super::super::{App, storage, thumbnails};
 use super::button_with_help;
+use crate::app::language::{say, tr};
 use crate::state::presets::{self, Preset};
 
 /// The user's own named seas, with the state of the widgets that edit the list.
@@ -55,7 +56,12 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
     for (index, preset) in presets::built_in().iter().enumerate() {
         let picture = app.thumbnails.image(index, ui.ctx());
         // The first sentence says what one sees; the rest and the source are for those who ask.
-        let says = preset.about.split_inclusive(['.', ':']).next().unwrap_or_default().trim_end_matches(['.', ':']);
+        let about = tr(&preset.about);
+        let says = about
+            .split_inclusive(['.', ':', '。', '：'])
+            .next()
+            .unwrap_or_default()
+            .trim_end_matches(['.', ':', '。', '：']);
         let mut job = egui::text::LayoutJob::default();
         let picture_width = if picture.is_some() { thumbnails::SHOWN_SIZE.x + ui.spacing().icon_spacing } else { 0.0 };
         job.wrap.max_width = ui.available_width() - 16.0 - picture_width;
@@ -64,12 +70,12 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
             color,
             ..Default::default()
         };
-        job.append(&format!("{}\n", preset.name), 0.0, format(15.0, ui.visuals().strong_text_color()));
+        job.append(&format!("{}\n", tr(&preset.name)), 0.0, format(15.0, ui.visuals().strong_text_color()));
         job.append(says, 0.0, format(12.5, ui.visuals().weak_text_color()));
         let is_shown = shown == Some(preset.name.as_str());
         let card = egui::Button::opt_image_and_text(picture, Some(job.into()));
         let card = card.selected(is_shown).min_size(egui::vec2(ui.available_width(), 0.0));
-        let card = ui.add(card).on_hover_text(format!("{}\n{}", preset.about, preset.source));
+        let card = ui.add(card).on_hover_text(format!("{about}\n{}", preset.source));
         if with_accessible_name(card, &preset.name).clicked() {
             chosen = Some(preset.clone());
         }
@@ -82,8 +88,8 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
                 if button_with_help(ui, &preset.name, &preset.state) {
                     chosen = Some(preset.clone());
                 }
-                let cross = ui.small_button("×").on_hover_text("Forget this sea.");
-                if with_accessible_name(cross, &format!("Forget {}", preset.name)).clicked() {
+                let cross = ui.small_button("×").on_hover_text(tr("Forget this sea."));
+                if with_accessible_name(cross, &say!("Forget {name}", name = preset.name)).clicked() {
                     dropped = Some(preset.name.clone());
                 }
             }
@@ -98,36 +104,37 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
     }
     ui.separator();
     ui.horizontal(|ui| {
-        let label = ui.label("Keep as");
-        let field = egui::TextEdit::singleline(&mut app.own_seas.name).hint_text("name of this sea");
+        let label = ui.label(tr("Keep as"));
+        let field = egui::TextEdit::singleline(&mut app.own_seas.name).hint_text(tr("name of this sea"));
         let field = field.char_limit(presets::MAX_NAME_CHARS).desired_width(150.0);
         ui.add(field).labelled_by(label.id);
         let name = app.own_seas.name.trim().to_owned();
-        if ui.add_enabled(!name.is_empty(), egui::Button::new("Keep")).clicked() {
+        if ui.add_enabled(!name.is_empty(), egui::Button::new(tr("Keep"))).clicked() {
             app.own_seas.name.clear();
             let preset = Preset::from_params(&name, &app.params);
             app.run_or_notify(|app| app.own_seas.add(vec![preset]));
         }
         if ui
-            .add_enabled(!app.own_seas.seas.is_empty(), egui::Button::new("Export"))
-            .on_hover_text("Saves your seas as a text file: drop it on another Seastate to import them.")
+            .add_enabled(!app.own_seas.seas.is_empty(), egui::Button::new(tr("Export")))
+            .on_hover_text(tr("Saves your seas as a text file: drop it on another Seastate to import them."))
             .clicked()
         {
             let text = presets::write(&app.own_seas.seas);
             app.save("seas.txt", text.as_bytes());
         }
     });
-    ui.weak("Drop a file of seas here to import it.");
+    ui.weak(tr("Drop a file of seas here to import it."));
 }
 
 /// Adds the button that changes the seed of the random wave phases, and the check box that locks the seed.
 pub fn show_seed_row(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
-        if button_with_help(ui, "New seed", "Another sea with the same spectrum.") {
+        if button_with_help(ui, tr("New seed"), tr("Another sea with the same spectrum.")) {
             let old = app.params.sea.seed;
             app.params.sea.seed = crate::waves::noise::pcg4d([old, app.frames as u32, 7, 11])[0] % 100_000;
         }
-        ui.checkbox(&mut app.panel.seed_locked, "Lock").on_hover_text("Named seas and Reset leave the seed as it is.");
+        ui.checkbox(&mut app.panel.seed_locked, tr("Lock"))
+            .on_hover_text(tr("Named seas and Reset leave the seed as it is."));
     });
 }
 

@@ -3,6 +3,7 @@
 use super::super::App;
 use super::super::accessible_names::{with_accessible_name, with_accessible_value};
 use super::button_with_help;
+use crate::app::language::tr;
 use crate::state::params::Clock;
 
 /// Time by which one press of a step button moves the stopped clock, s: one frame at 60 Hz.
@@ -16,20 +17,31 @@ pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
     let loop_s = app.params.sea.repeat_period_s;
     let clock = &mut app.params.clock;
     ui.horizontal(|ui| {
-        if button_with_help(ui, if clock.paused { "Play" } else { "Pause" }, "Space") {
+        if button_with_help(ui, if clock.paused { tr("Play") } else { tr("Pause") }, tr("Space")) {
             clock.paused = !clock.paused;
         }
-        if with_accessible_name(ui.button("|<"), "Back to time 0").on_hover_text("Back to time 0 (Home)").clicked() {
+        if with_accessible_name(ui.button("|<"), tr("Back to time 0"))
+            .on_hover_text(tr("Back to time 0 (Home)"))
+            .clicked()
+        {
             clock.t_s = 0.0;
         }
-        if with_accessible_name(ui.button("<"), "One frame back").on_hover_text("One frame back (,)").clicked() {
+        if with_accessible_name(ui.button("<"), tr("One frame back")).on_hover_text(tr("One frame back (,)")).clicked()
+        {
             step_clock(clock, -1.0);
         }
-        if with_accessible_name(ui.button(">"), "One frame forward").on_hover_text("One frame forward (.)").clicked() {
+        if with_accessible_name(ui.button(">"), tr("One frame forward"))
+            .on_hover_text(tr("One frame forward (.)"))
+            .clicked()
+        {
             step_clock(clock, 1.0);
         }
-        let speed = egui::DragValue::new(&mut clock.speed).range(0.0..=10.0).speed(0.02).prefix("speed ").suffix("x");
-        ui.add(speed).on_hover_text("Simulated seconds per second.");
+        let speed = egui::DragValue::new(&mut clock.speed)
+            .range(0.0..=10.0)
+            .speed(0.02)
+            .prefix(format!("{} ", tr("speed")))
+            .suffix("x");
+        ui.add(speed).on_hover_text(tr("Simulated seconds per second."));
     });
     ui.horizontal(|ui| {
         // The slider covers the loop, or the interval of SLIDER_RANGE_S, that contains the current time.
@@ -38,8 +50,8 @@ pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
         ui.spacing_mut().slider_width = (ui.available_width() - 120.0).max(80.0);
         let mut t = clock.t_s;
         let slider = egui::Slider::new(&mut t, from..=from + length).show_value(false).step_by(0.0);
-        if with_accessible_value(ui.add(slider), "Time", t)
-            .on_hover_text("Drag through the time; it stands still meanwhile.")
+        if with_accessible_value(ui.add(slider), tr("Time"), t)
+            .on_hover_text(tr("Drag through the time; it stands still meanwhile."))
             .changed()
         {
             clock.t_s = t;
@@ -52,7 +64,8 @@ pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
             .prefix("t = ")
             .suffix(" s")
             .max_decimals(2);
-        with_accessible_value(ui.add(exact), "Time in seconds", t_s).on_hover_text("Simulated time: type where to go.");
+        with_accessible_value(ui.add(exact), tr("Time in seconds"), t_s)
+            .on_hover_text(tr("Simulated time: type where to go."));
     });
 }
 

@@ -3,18 +3,19 @@
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
 use super::{button_with_help, time};
+use crate::app::language::{say, tr};
 use crate::state::floats::FloatingObjectKind;
 use crate::state::motion;
 
 /// Adds the widgets of the tab.
 pub fn show_view(app: &mut App, ui: &mut egui::Ui) {
-    ui.strong("Look from");
+    ui.strong(tr("Look from"));
     show_camera_views(app, ui);
     ui.add_space(8.0);
-    ui.strong("Simulated time");
+    ui.strong(tr("Simulated time"));
     time::show_time_controls(app, ui);
     ui.add_space(8.0);
-    ui.strong("Afloat");
+    ui.strong(tr("Afloat"));
     show_floating_objects(app, ui);
 }
 
@@ -22,7 +23,7 @@ pub fn show_view(app: &mut App, ui: &mut egui::Ui) {
 fn show_camera_views(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
         for view in motion::CAMERA_VIEWS {
-            if button_with_help(ui, view.name, view.about) {
+            if button_with_help(ui, tr(view.name), tr(view.about)) {
                 motion::set_named_view(&mut app.params, view);
             }
         }
@@ -34,15 +35,15 @@ fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
         for kind in FloatingObjectKind::ALL {
             let on = app.placing == Some(kind);
-            let help = "Then click on the sea where it shall be moored.";
-            let button = egui::Button::new(format!("Moor a {}", kind.word())).selected(on);
+            let help = tr("Then click on the sea where it shall be moored.");
+            let button = egui::Button::new(say!("Moor a {object}", object = tr(kind.word()))).selected(on);
             if ui.add(button).on_hover_text(help).clicked() {
                 app.placing = (!on).then_some(kind);
             }
         }
     });
     if app.placing.is_some() {
-        ui.strong("Now click the water where it shall float.");
+        ui.strong(tr("Now click the water where it shall float."));
     }
     let mut lifted = None;
     for (i, float) in app.params.floating_objects.iter().enumerate() {
@@ -52,9 +53,9 @@ fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
             let [east, south] = [float.x_m, float.z_m];
             let side =
                 |x: f64, words: [&str; 2]| format!("{} {}", metres.format(x.abs(), 0), words[usize::from(x < 0.0)]);
-            let (east, south) = (side(east, ["east", "west"]), side(south, ["south", "north"]));
+            let (east, south) = (side(east, [tr("east"), tr("west")]), side(south, [tr("south"), tr("north")]));
             ui.label(format!("{} at {east}, {south}: {}", float.kind.word(), metres.format(height, 2)));
-            let cross = ui.small_button("×").on_hover_text("Lifts it out of the water.");
+            let cross = ui.small_button("×").on_hover_text(tr("Lifts it out of the water."));
             if with_accessible_name(cross, &format!("Lift {} {}", float.kind.word(), i + 1)).clicked() {
                 lifted = Some(i);
             }
@@ -64,6 +65,8 @@ fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
         app.params.floating_objects.remove(i);
     }
     if app.params.floating_objects.is_empty() {
-        ui.weak("Or press B over the water. The first floating object keeps a record of the height: see the plots.");
+        ui.weak(tr(
+            "Or press B over the water. The first floating object keeps a record of the height: see the plots.",
+        ));
     }
 }
