@@ -459,6 +459,8 @@ fn a_picture_is_saved_with_its_sea_and_brings_it_back() {
     harness.key_press(egui::Key::P);
     for _ in 0..100 {
         harness.run_steps(1);
+        // The picture is drawn whole over some frames before it is saved.
+        harness.render().expect("a picture");
         if harness.query_by_label_contains("seastate-wind17").is_some() {
             break;
         }

@@ -39,6 +39,8 @@ const PANEL_WIDTH_POINTS: f32 = 366.0;
 const TAB_HEIGHT_POINTS: f32 = 52.0;
 /// Height of the sheet of a narrow window relative to the window's. The sea stays visible above it.
 const SHEET_HEIGHT_RATIO: f32 = 0.4;
+/// Number of buttons of the most frequent actions.
+const ACTION_COUNT: f32 = 6.0;
 /// Largest number of characters that the panel's search field accepts.
 const MAX_TEXT_CHARS: usize = 100;
 
@@ -115,6 +117,12 @@ impl Panel {
 /// Whether the window is so narrow that the panel is a sheet at its bottom.
 fn is_narrow(ctx: &egui::Context) -> bool {
     ctx.content_rect().width() < NARROW_WINDOW_POINTS
+}
+
+/// Width of the part of the window that the panel leaves free, points.
+fn free_width(ctx: &egui::Context) -> f32 {
+    let width = ctx.content_rect().width();
+    if is_narrow(ctx) { width } else { width - PANEL_WIDTH_POINTS - 44.0 }
 }
 
 /// Whether the window has room for the panel.
@@ -253,9 +261,13 @@ fn text_field<T>(
 
 /// Adds the buttons of the most frequent actions: time, undo, redo, reset, another sea and help.
 fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
+    let total_width = ui.available_width();
     let action = |ui: &mut egui::Ui, enabled: bool, icon: &str, name: &str, help: &str| {
-        let size = egui::vec2(40.0, ui.spacing().interact_size.y.max(28.0));
+        let gaps = ui.spacing().item_spacing.x * (ACTION_COUNT - 1.0);
+        let width = ((total_width - gaps) / ACTION_COUNT).min(40.0);
+        let size = egui::vec2(width, ui.spacing().interact_size.y.max(28.0));
         let button = egui::Button::new(egui::RichText::new(icon).size(17.0)).frame_when_inactive(false).min_size(size);
+        ui.spacing_mut().button_padding.x = 0.0;
         with_accessible_name(ui.add_enabled(enabled, button).on_hover_text(help), name).clicked()
     };
     ui.horizontal(|ui| {

@@ -3,12 +3,12 @@
 use super::super::App;
 use super::super::units::UnitScale;
 use super::weather::compass_point;
-use super::{Tab, has_room};
+use super::{Tab, free_width, has_room};
 use crate::app::language::{local_number, say, tr};
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
-/// Largest width of a sentence over the sea, points.
-const MAX_SENTENCE_POINTS: f32 = 260.0;
+/// Largest width of the text, points.
+const MAX_WIDTH_POINTS: f32 = 340.0;
 
 /// One line about the sea for screen readers, such as `Hs 2.4 m, Beaufort 5`: significant wave height and Beaufort
 /// number.
@@ -32,7 +32,8 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
     area.show(ctx, |ui| {
         frame.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
-            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Wrap);
+            ui.set_max_width((free_width(ctx) - 48.0).clamp(80.0, MAX_WIDTH_POINTS));
             let wind_m_s = app.params.sea.first_system().wind_m_s;
             let name = BEAUFORT_FORCES[beaufort::beaufort_number(wind_m_s)].name;
             let white = |text: String, points: f32| egui::RichText::new(text).size(points).color(egui::Color32::WHITE);
@@ -81,8 +82,6 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             let help = tr("Points of the waves' grids (FFT size n), and pixels of the picture that are computed.");
             line(ui, quiet(pixels), help, Tab::Study);
             if let Some(reduction) = reduction {
-                ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Wrap);
-                ui.set_max_width(MAX_SENTENCE_POINTS);
                 line(ui, quiet(reduction), tr("A slow machine draws fewer pixels; a stopped sea has all."), Tab::Study);
             }
         });
