@@ -2,6 +2,7 @@
 //! window shows the command that draws the frames of a film.
 
 use super::App;
+#[cfg(not(target_arch = "wasm32"))]
 use crate::app::language::tr;
 
 /// Longest film, s of simulated time at the sea's own speed.

@@ -96,7 +96,7 @@ mod tests {
     fn letters_stand_on_a_dark_band() {
         let ctx = egui::Context::default();
         // Fonts are loaded by the first frame.
-        let _ = ctx.run_ui(egui::RawInput::default(), |_| {});
+        ctx.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
         let size = [400, 200];
         let mut pixels = vec![200; 4 * 400 * 200];
         PictureCaption::new(&ctx, "Force 5 sea, waves 1.9 m high", size).draw(&mut pixels, size);
@@ -110,7 +110,7 @@ mod tests {
     #[test]
     fn pictures_of_any_size_have_room() {
         let ctx = egui::Context::default();
-        let _ = ctx.run_ui(egui::RawInput::default(), |_| {});
+        ctx.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
         for size in [[1, 1], [30, 8], [8, 300]] {
             let mut pixels = vec![0; 4 * (size[0] * size[1]) as usize];
             PictureCaption::new(&ctx, "Force 12 sea, waves 14.0 m high", size).draw(&mut pixels, size);

@@ -19,6 +19,7 @@ use args::{Cli, Command, SeaArgs};
 use clap::Parser as _;
 use pollster::block_on;
 use std::fmt::Write as _;
+use std::path::Path;
 
 /// Exit code of a command that fails for any reason, such as bad arguments or a missing GPU.
 const FAILURE_EXIT_CODE: i32 = 2;
@@ -123,12 +124,19 @@ fn run(cli: Cli) -> Result<i32, String> {
             page.write(&output)?;
             format!("{} and {} figures", output.join("validation.md").display(), page.figure_svgs().len())
         }
-        Some(Command::Gallery { thumbnails: Some(path), .. }) => block_on(thumbnails::run(&gpu()?, &path))?,
-        Some(Command::Gallery { output, only, thumbnails: None }) => block_on(gallery::run(&gpu()?, &output, &only))?,
+        Some(Command::Gallery { output, only, thumbnails }) => draw_gallery(&output, &only, thumbnails.as_deref())?,
         Some(Command::Keys { markdown: true }) => parameters::parameters_markdown(),
         Some(Command::Keys { markdown: false }) => parameters::parameter_listing(),
     };
     print_to_stdout(&text).map(|()| 0)
+}
+
+/// Draws the pictures of the gallery whose title contains `only`, or the thumbnails of the named seas to a file.
+fn draw_gallery(output: &Path, only: &str, thumbnails: Option<&Path>) -> Result<String, String> {
+    match thumbnails {
+        Some(path) => block_on(thumbnails::run(&block_on(Gpu::request())?, path)),
+        None => block_on(gallery::run(&block_on(Gpu::request())?, output, only)),
+    }
 }
 
 /// Reads the parameters and files that the arguments name, and prints all notices to stderr.

@@ -38,3 +38,30 @@ pub async fn run(gpu: &Gpu, path: &Path) -> Result<String, String> {
     write_file(path, bytes)?;
     Ok(format!("{}: {} thumbnails, {size} bytes", path.display(), seas.len()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Most bytes of the file: the page fetches it when the tab of the seas opens.
+    const MOST_BYTES: usize = 150_000;
+
+    /// If the list of seas has changed: `seastate gallery --thumbnails assets/thumbnails/seas.jpg`.
+    #[test]
+    fn every_named_sea_has_a_picture() {
+        let bytes = include_bytes!("../../assets/thumbnails/seas.jpg");
+        assert!(bytes.len() <= MOST_BYTES, "{} bytes", bytes.len());
+        let image = image::load_from_memory(bytes).expect("a picture").to_rgb8();
+        let [width, height] = THUMBNAIL_SIZE;
+        assert_eq!(image.dimensions(), (width, height * presets::built_in().len() as u32));
+        // No two seas look alike.
+        let rows: Vec<Vec<u8>> = image.as_raw().chunks((3 * width * height) as usize).map(<[u8]>::to_vec).collect();
+        for (i, one) in rows.iter().enumerate() {
+            for (j, other) in rows.iter().enumerate().skip(i + 1) {
+                let difference: f64 =
+                    one.iter().zip(other).map(|(a, b)| f64::from(a.abs_diff(*b))).sum::<f64>() / one.len() as f64;
+                assert!(difference > 3.0, "seas {i} and {j} differ by {difference}");
+            }
+        }
+    }
+}

@@ -232,7 +232,8 @@ impl MaterialUniform {
             backscatter: single(water.backscatter),
             relative_index: (reflection.index_water / reflection.index_air) as f32,
             scattering: single(water.scattering),
-            bubble_density: scattering.bubble_density as f32,
+            // Breakers that leave no foam leave no bubbles.
+            bubble_density: if foam.coverage_factor > 0.0 { scattering.bubble_density as f32 } else { 0.0 },
             bubble_colour: colour(scattering.bubble_colour),
             crest_transmission: scattering.crest_transmission as f32,
             foam_colour: colour(foam.colour),
