@@ -9,7 +9,8 @@ trap 'rm -rf "$folder"' EXIT
 # font PACKAGE FILE TEXT OUT: writes a font with the characters of TEXT.
 font() {
   (cd "$folder" && npm pack --silent "@fontsource/$1" >/dev/null && tar xzf fontsource-"$1"-*.tgz "package/files/$2")
-  "${PYTHON:-python3}" -m fontTools.subset "$folder/package/files/$2" --text="$3" --layout-features= --no-hinting \
+  "${PYTHON:-python3}" -m fontTools.ttLib.woff2 decompress --output-file "$folder/font.ttf" "$folder/package/files/$2"
+  "${PYTHON:-python3}" -m fontTools.subset "$folder/font.ttf" --text="$3" --layout-features= --no-hinting \
     --output-file="assets/languages/$4"
 }
 
