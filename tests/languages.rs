@@ -55,10 +55,8 @@ fn english_texts() -> BTreeSet<String> {
         for marker in [" tr(", "(tr(", "&tr(", "!tr(", "[tr(", "say!("] {
             texts.extend(literals_after(source, marker));
         }
-        // Tables of texts that are translated where they are shown.
-        for marker in ["text!("] {
-            texts.extend(literals_after(source, marker));
-        }
+        // Texts in tables are translated where they are shown.
+        texts.extend(literals_after(source, "text!("));
     }
     for field in FIELDS.iter() {
         texts.extend([field.label, field.help, field.zero_word, field.group.label()].map(str::to_owned));
