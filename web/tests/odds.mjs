@@ -155,11 +155,11 @@ export async function odds(context) {
       });
       assert.deepEqual(canvas, { width: 1140, height: 780, clientWidth: 760, clientHeight: 520 });
       const [x, y, width, height] = await tab.until('the panel', () => {
-        const place = window.seastate.widget_bounds('Share');
+        const place = window.seastate.widget_bounds('Play');
         return place && [...place];
       });
       assert.ok(
-        x > 640 && x + width < 760 && y + height < 520,
+        x > 360 && x + width < 760 && y + height < 520,
         `the panel is at the right edge: ${[x, y, width, height]}`,
       );
       await tab.page.mouse.click(x + width / 2, y + height / 2);
