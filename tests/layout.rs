@@ -5,6 +5,8 @@ use egui::epaint::{ClippedShape, Shape};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use seastate::app::App;
+use seastate::app::language::tr;
+use seastate::state::params::Language;
 
 /// Sizes of windows, points, and pixels per point.
 const SIZES: [([f32; 2], f32); 9] = [
@@ -89,7 +91,7 @@ fn visit(zooms: &[f32], languages: &[&str], mut look: impl FnMut(&mut Harness<'s
                 harness.run_steps(4);
                 look(&mut harness, &format!("{place}-start"));
                 for tab in TABS {
-                    if let Some(button) = harness.query_by_label(tab) {
+                    if let Some(button) = harness.query_by_label(tr(tab)) {
                         button.click_accesskit();
                         harness.run_steps(6);
                         look(&mut harness, &format!("{place}-{}", tab.to_lowercase()));
@@ -107,7 +109,7 @@ fn visit(zooms: &[f32], languages: &[&str], mut look: impl FnMut(&mut Harness<'s
 fn no_text_is_cut_or_covered() {
     let mut found = Vec::new();
     let mut looks = 0;
-    visit(&ZOOMS, &["en"], |harness, place| {
+    let mut look = |harness: &mut Harness<'static, App>, place: &str| {
         looks += 1;
         // The list of keys lies over everything else.
         if place.ends_with("keys") {
@@ -115,7 +117,9 @@ fn no_text_is_cut_or_covered() {
         }
         let window = harness.ctx.content_rect();
         found.extend(faults(&harness.output().shapes, window).into_iter().map(|fault| format!("{place}: {fault}")));
-    });
+    };
+    visit(&ZOOMS, &["en"], &mut look);
+    visit(&[1.0], Language::WORDS, &mut look);
     assert!(looks >= SIZES.len() * ZOOMS.len() * (TABS.len() + 2), "{looks}");
     assert!(found.is_empty(), "{} faults:\n{}", found.len(), found.join("\n"));
 }

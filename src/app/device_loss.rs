@@ -105,6 +105,7 @@ impl App {
         ctx.memory_mut(|m| *m = memory);
         ctx.stop_dragging();
         setup::apply_style(&ctx);
+        self.languages = super::language::Languages::default();
         #[cfg(target_arch = "wasm32")]
         self.screen_readers.install_in_context(&ctx);
         self.ctx = ctx;

@@ -151,13 +151,23 @@ async fn load(language: Language) -> Result<LanguageFiles, String> {
 pub struct Languages {
     wanted: Option<Language>,
     loaded: Inbox<(Language, Result<LanguageFiles, String>)>,
+    /// What the next frame makes [`CURRENT`]: a font that was added in this frame draws only then.
+    next: Option<Option<(&'static Translations, bool)>>,
 }
 
 impl Languages {
     /// Shows the interface in the `chosen` language as soon as its files are there. Returns what went wrong, if
     /// anything. Call it once a frame.
     pub fn update(&mut self, chosen: Language, ctx: &egui::Context) -> Result<(), String> {
-        if self.wanted.replace(chosen) != Some(chosen) {
+        if let Some(next) = self.next.take() {
+            CURRENT.set(next);
+        }
+        let before = self.wanted.replace(chosen);
+        if before.is_none() {
+            // A new window or a new device begins without the fonts of the one before.
+            CURRENT.set(None);
+        }
+        if before != Some(chosen) {
             let language = chosen.resolved();
             if language == Language::English {
                 self.show(language, (b"{}".to_vec(), None), ctx)?;
@@ -175,14 +185,14 @@ impl Languages {
         Ok(())
     }
 
-    fn show(&self, language: Language, (json, font): LanguageFiles, ctx: &egui::Context) -> Result<(), String> {
+    fn show(&mut self, language: Language, (json, font): LanguageFiles, ctx: &egui::Context) -> Result<(), String> {
         let fault = |e| format!("The translations of this language cannot be read: {e}");
         let translations: serde_json::Map<String, serde_json::Value> = serde_json::from_slice(&json).map_err(fault)?;
         let texts = translations.into_iter().filter_map(|(english, text)| Some((english, text.as_str()?.to_owned())));
         // Texts of the interface are borrowed for as long as the program runs; a language is rarely changed.
         let translations: &'static Translations = Box::leak(Box::new(texts.collect()));
         let comma = language.writes_decimal_comma();
-        CURRENT.set((language != Language::English).then_some((translations, comma)));
+        self.next = Some((language != Language::English).then_some((translations, comma)));
         if let Some(font) = font {
             let families = [egui::FontFamily::Proportional, egui::FontFamily::Monospace];
             let families = families.map(|family| InsertFontFamily { family, priority: FontPriority::Lowest });
@@ -214,8 +224,10 @@ mod tests {
     #[test]
     fn places_are_filled_in_the_order_of_the_translation() {
         let json = br#"{"From {a} to {b}": "Nach {b} von {a}"}"#.to_vec();
-        let shown = Languages::default().show(Language::German, (json, None), &egui::Context::default());
-        assert_eq!(shown, Ok(()));
+        let mut languages = Languages::default();
+        let context = egui::Context::default();
+        assert_eq!(languages.show(Language::German, (json, None), &context), Ok(()));
+        CURRENT.set(languages.next.flatten());
         assert_eq!(say!("From {a} to {b}", a = 1, b = 2), "Nach 2 von 1");
         assert_eq!((tr("unknown"), local_number("1.5".into()).as_str()), ("unknown", "1,5"));
         CURRENT.set(None);
