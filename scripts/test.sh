@@ -96,6 +96,8 @@ need_software_vulkan
 need_display
 need_wasm_tools
 need_browsers
+# The tests look for English texts, whatever the language of the system is.
+export LC_ALL=C.UTF-8
 use_software_vulkan
 
 failed=()

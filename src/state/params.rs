@@ -137,10 +137,6 @@ choice_enum! {
         English = "en",
         /// German.
         German = "de",
-        /// French.
-        French = "fr",
-        /// Spanish.
-        Spanish = "es",
         /// Portuguese.
         Portuguese = "pt",
         /// Japanese.
