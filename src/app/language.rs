@@ -62,6 +62,7 @@ impl Language {
             Self::Auto => "Automatic",
             Self::English => "English",
             Self::German => "Deutsch",
+            Self::French => "Français",
             Self::Portuguese => "Português",
             Self::Japanese => "日本語",
             Self::Chinese => "简体中文",
@@ -80,7 +81,7 @@ impl Language {
     }
 
     fn writes_decimal_comma(self) -> bool {
-        matches!(self, Self::German | Self::Portuguese)
+        matches!(self, Self::German | Self::French | Self::Portuguese)
     }
 
     #[cfg(target_arch = "wasm32")]
@@ -135,7 +136,7 @@ async fn load(language: Language) -> Result<LanguageFiles, String> {
             }
         };
     }
-    let translations = files!("de", "pt", "ja", "zh");
+    let translations = files!("de", "fr", "pt", "ja", "zh");
     let font: Option<&[u8]> = match language {
         Language::Japanese => Some(include_bytes!("../../assets/languages/ja.ttf")),
         Language::Chinese => Some(include_bytes!("../../assets/languages/zh.ttf")),

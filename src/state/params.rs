@@ -137,6 +137,8 @@ choice_enum! {
         English = "en",
         /// German.
         German = "de",
+        /// French.
+        French = "fr",
         /// Portuguese.
         Portuguese = "pt",
         /// Japanese.
