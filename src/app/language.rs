@@ -63,6 +63,7 @@ impl Language {
             Self::English => "English",
             Self::German => "Deutsch",
             Self::French => "Français",
+            Self::Spanish => "Español",
             Self::Portuguese => "Português",
             Self::Japanese => "日本語",
             Self::Chinese => "简体中文",
@@ -81,7 +82,7 @@ impl Language {
     }
 
     fn writes_decimal_comma(self) -> bool {
-        matches!(self, Self::German | Self::French | Self::Portuguese)
+        matches!(self, Self::German | Self::French | Self::Spanish | Self::Portuguese)
     }
 
     #[cfg(target_arch = "wasm32")]
@@ -136,7 +137,7 @@ async fn load(language: Language) -> Result<LanguageFiles, String> {
             }
         };
     }
-    let translations = files!("de", "fr", "pt", "ja", "zh");
+    let translations = files!("de", "fr", "es", "pt", "ja", "zh");
     let font: Option<&[u8]> = match language {
         Language::Japanese => Some(include_bytes!("../../assets/languages/ja.ttf")),
         Language::Chinese => Some(include_bytes!("../../assets/languages/zh.ttf")),

@@ -139,6 +139,8 @@ choice_enum! {
         German = "de",
         /// French.
         French = "fr",
+        /// Spanish.
+        Spanish = "es",
         /// Portuguese.
         Portuguese = "pt",
         /// Japanese.
