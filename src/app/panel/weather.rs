@@ -138,7 +138,10 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
     let force = beaufort::beaufort_number(wind_m_s);
     ui.horizontal(|ui| {
         ui.strong(tr("Wind"));
-        ui.weak(say!("force {force}, {name}", force = force, name = tr(BEAUFORT_FORCES[force].name).to_lowercase()));
+        let english = BEAUFORT_FORCES[force].name;
+        // Translations have the letters that their language wants: German nouns begin with a capital.
+        let name = if tr(english) == english { english.to_lowercase() } else { tr(english).to_owned() };
+        ui.weak(say!("force {force}, {name}", force = force, name = name));
     });
     let mut number = force as f64;
     ui.horizontal(|ui| {
