@@ -254,7 +254,7 @@ fn no_sparks_fly_away_from_the_sun() {
 }
 
 /// Pictures drawn smaller than the canvas are enlarged to something nearer to the picture drawn at full size than
-/// linear interpolation makes of them, on the mean of the sizes to which a slow machine goes.
+/// linear interpolation makes of them.
 #[test]
 fn an_enlarged_picture_is_nearer_to_a_large_one_than_an_interpolated_one() {
     let gpu = gpu();
@@ -271,14 +271,12 @@ fn an_enlarged_picture_is_nearer_to_a_large_one_than_an_interpolated_one() {
             SrgbPicture::from_rgba(canvas[0], &pollster::block_on(pixels).expect("a picture"))
         };
         let full = show(size, size);
-        let mut errors = [0.0; 2];
         for small in [[160, 90], [192, 108], [246, 139]] {
             let enlarged = flip(&full, &show(small, size));
             let interpolated = flip(&full, &interpolated(&show(small, small), size));
             eprintln!("{state}, {small:?}: {enlarged:.4}, interpolated {interpolated:.4}");
-            errors = [errors[0] + enlarged, errors[1] + interpolated];
+            assert!(enlarged < interpolated, "{state}, {small:?}: {enlarged}, interpolated {interpolated}");
         }
-        assert!(errors[0] < errors[1], "{state}: sums of errors {errors:?}");
     }
 }
 

@@ -20,7 +20,7 @@ const RIPPLE_PATCH_RATIO: f64 = 13.1;
 const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
 /// Largest slope variance of ripples relative to that of the cascade whose copy they are. In a strong wind the waves too
 /// short for the cascades are much rougher than the shortest ones in them.
-const MAX_RIPPLE_VARIANCE_RATIO: f64 = 4.0;
+const MAX_RIPPLE_VARIANCE_RATIO: f64 = 1.5;
 /// Largest length of a wave, in texels, with which mesh vertices may carry its slopes (WGSL
 /// `WATER_CARRIED_SPACINGS.y`).
 const CARRIED_WAVE_TEXELS: f64 = 7.0;
@@ -343,10 +343,10 @@ fn mean_density_below(eye_height_m: f64, scale_m: f64) -> f64 {
 
 /// Extinction coefficient of sea salt and moist salt close to the water, 1/km, at a wind speed, for a haze of 1. That it
 /// grows with the square of the wind is measured (Mulcahy et al. 2008, the optical depth at Mace Head). The coefficients
-/// are our choice: with the other aerosol, one sees about 20 km far in a fresh breeze and 5 km in a storm. Half of the haze
+/// are our choice: with the other aerosol, one sees about 20 km far in a fresh breeze and 6 km in a storm. Half of the haze
 /// takes less than half of the salt, because the wind lifts salt on clear days, too: the caller multiplies by the root.
 fn salt_extinction_per_km(wind_m_s: f64) -> f64 {
-    0.05 + 1.1e-3 * wind_m_s * wind_m_s
+    0.05 + 8e-4 * wind_m_s * wind_m_s
 }
 
 /// Angle from the horizontal down to the horizon of the spherical Earth, rad, seen from the height `eye_height_m`.

@@ -66,7 +66,7 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
 /// flicker across its axis.
 const MIN_DENSITY_RATIO: f64 = 0.4;
 /// Part of a storm's mean foam that lies in streaks over the whole sea.
-const MOST_FOAM_IN_STREAKS: f64 = 0.25;
+const MOST_FOAM_IN_STREAKS: f64 = 0.1;
 /// Time for which a glint of the sun lasts, s.
 const GLINT_MOMENT_S: f64 = 0.06;
 /// Period of the cells of both layers of rings (shaders/water/rings.wgsl), m; area of the larger cells, m^2; and how
