@@ -1,5 +1,7 @@
 //! The app under egui_kittest on a software adapter: the code that also runs in the window and on the page.
 
+mod common;
+
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use seastate::app::App;
@@ -12,15 +14,7 @@ fn open(state: &str) -> Harness<'static, App> {
 }
 
 fn open_in(state: &str, size: [f32; 2]) -> Harness<'static, App> {
-    let state = state.to_owned();
-    let mut harness = Harness::builder()
-        .with_size(egui::vec2(size[0], size[1]))
-        .with_pixels_per_point(1.0)
-        .with_step_dt(1.0 / 60.0)
-        .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
-        .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
-    harness.run_steps(3);
-    harness
+    common::harness::open(state, size, 1.0)
 }
 
 /// Opens a tab of the panel; in a wide window the weather is open at first.

@@ -1,6 +1,9 @@
 //! The layout of the interface at the sizes of phones, tablets and screens: no text is cut, lies over another text, or
 //! leaves the window. The ignored test saves a picture of each state of the interface to look at.
 
+mod common;
+
+use common::harness::open;
 use egui::epaint::{ClippedShape, Shape};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -26,18 +29,6 @@ const ZOOMS: [f32; 2] = [1.0, 1.5];
 const TABS: [&str; 5] = ["Seas", "Weather", "View", "Study", "Share"];
 /// Most by which texts may touch: bounds of letters are a little larger than what one sees, points.
 const TOUCH_POINTS: f32 = 2.0;
-
-fn open(state: &str, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {
-    let state = state.to_owned();
-    let mut harness = Harness::builder()
-        .with_size(egui::Vec2::from(size))
-        .with_pixels_per_point(pixels_per_point)
-        .with_step_dt(1.0 / 60.0)
-        .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
-        .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
-    harness.run_steps(4);
-    harness
-}
 
 /// The visible texts of a frame: each with its bounds and the rectangle to which it is clipped.
 fn texts(shapes: &[ClippedShape]) -> Vec<(String, egui::Rect, egui::Rect)> {

@@ -1,5 +1,7 @@
 //! Sharing a sea, and opening files by a button: the app under egui_kittest on a software adapter.
 
+mod common;
+
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use seastate::app::App;
@@ -7,15 +9,7 @@ use seastate::files::picture;
 use std::path::{Path, PathBuf};
 
 fn open(state: &str, size: [f32; 2]) -> Harness<'static, App> {
-    let state = state.to_owned();
-    let mut harness = Harness::builder()
-        .with_size(egui::vec2(size[0], size[1]))
-        .with_pixels_per_point(1.0)
-        .with_step_dt(1.0 / 60.0)
-        .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
-        .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
-    harness.run_steps(3);
-    harness
+    common::harness::open(state, size, 1.0)
 }
 
 fn click(harness: &mut Harness<'_, App>, label: &str) {

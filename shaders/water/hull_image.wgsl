@@ -1,5 +1,5 @@
-// What the water sees of the floating objects: their mirror image, and their shadow. A stack of ellipses stands for each
-// (src/render/water/hull_images.rs); from any side it looks like a stack of trapezoids.
+// Mirror images of floating objects in the water, and their shadows on it. Each object is replaced by a stack of ellipses
+// (src/render/water/hull_images.rs); from any side the stack looks like trapezoids on each other.
 
 @group(0) @binding(14) var<uniform> hull_images: HullImages;
 
@@ -26,8 +26,8 @@ fn hull_image_light(hull: u32, toward: vec2f) -> HullImageLight {
   return HullImageLight(sun * max(cosine, 0.0) + around, sun * max(-cosine, 0.0) + around);
 }
 
-// What a bundle of rays from the point `place` meets of a hull: radiance times the fraction of the rays that the hull
-// stops, and that fraction. `place` has x and z relative to the point below the eye, and the height above the still
+// The fraction of a bundle of rays from the point `place` that a hull stops (w), and that fraction times the hull's
+// radiance (xyz). `place` has x and z relative to the point below the eye, and the height above the still
 // water. `blur` is the standard deviation of the rays across and in height, as tangents; `pixel_m` is the size of a
 // pixel there. A sail lets light through if `through` is 1.
 fn hull_image_met(
@@ -54,7 +54,7 @@ fn hull_image_met(
     let half = vec2f(section.half_length_m, section.half_width_m);
     let off = section.middle - vec3f(place);
     let middle_m = dot(off.xz, toward);
-    // Its outline lies before the middle of a wide section.
+    // The outline of a section that is long in the direction of view is nearer than the section's middle.
     let near = 1.0 / max(max(middle_m - 0.6 * length(deep * half), 0.25 * middle_m), 0.2);
     var high = vec4f(dot(off.xz, across), length(seen * half), off.y, 0.0) * near;
     high.w = foam_normal_cdf((high.z - rise) * sharp.y);

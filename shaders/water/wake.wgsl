@@ -17,7 +17,7 @@ const WAKE_REACH_M = 4.0;
 const WAKE_LONGEST_M = 90.0;
 const WAKE_FOAM_S = 3.5;
 
-// What the hulls do to the water at a point.
+// Changes of the water at a point by floating objects: waves, roughness, foam and shade.
 struct Wake {
   // Slope of the waves that the hulls make, and the fraction of the unresolved slope variance that they leave.
   slope: vec2f,
@@ -68,7 +68,7 @@ fn wake_under_way(speed_m_s: f32, astern_m: f32, aside_m: f32, length_m: f32, ha
   return vec4f(slope, foam, 1.0 - 0.75 * strength * band * exp(-old / (8.0 * WAKE_FOAM_S)));
 }
 
-// What the hulls do to the water at a position (x, z) relative to the point below the eye. `pixel` is the longer and the
+// Changes of the water by floating objects at a position (x, z) relative to the point below the eye. `pixel` is the longer and the
 // shorter side of the pixel there, m.
 fn wake_at(place: vec2f, pixel: vec2f) -> Wake {
   var out = Wake(vec2f(0.0), 1.0, 0.0, vec2f(0.0), 1.0);

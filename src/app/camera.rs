@@ -49,7 +49,7 @@ pub fn apply_pointer_to_camera(camera: &mut Camera, response: &egui::Response, c
     }
 }
 
-/// What the camera does in a mode, as a sentence for the user.
+/// A sentence for the user about a camera mode: its name, and the effect of a drag.
 pub fn mode_in_words(mode: CameraMode) -> &'static str {
     match mode {
         CameraMode::Fly => tr("Camera: fly. A drag looks around, the keys fly."),

@@ -151,7 +151,7 @@ async fn load(language: Language) -> Result<LanguageFiles, String> {
 pub struct Languages {
     wanted: Option<Language>,
     loaded: Inbox<(Language, Result<LanguageFiles, String>)>,
-    /// What the next frame makes [`CURRENT`]: a font that was added in this frame draws only then.
+    /// Value for [`CURRENT`] from the next frame on: egui draws with a new font only after the frame that added it.
     next: Option<Option<(&'static Translations, bool)>>,
 }
 

@@ -61,7 +61,7 @@ pub struct App {
     params: Params,
     /// Messages about parts of a state string or of a file that could not be used. The panel shows them.
     notices: Vec<String>,
-    /// What was opened last from a file, as sentences for the panel. They are no warnings.
+    /// Sentences about the file that was opened last, such as its name and size. The panel shows them in a neutral colour.
     news: Vec<String>,
     /// Whether the next frame makes the foam anew, because another sea was opened: that of the old one does not fit.
     restarts_foam: bool,

@@ -87,7 +87,7 @@ impl App {
     pub(super) fn take_opened_files(&mut self, ctx: &egui::Context) {
         let handles = ctx.input(|i| i.raw.dropped_files.clone());
         if handles.len() > MAX_FILES_PER_SPECTRUM {
-            self.refuse_many_files(handles.len());
+            self.notices = vec![too_many_files(handles.len())];
         } else if !handles.is_empty() {
             read_dropped_files(&self.opened_files, &handles, ctx);
         }
@@ -96,10 +96,6 @@ impl App {
             Ok(files) => self.open_or_notify(&files),
             Err(reason) => self.notices = vec![reason],
         }
-    }
-
-    fn refuse_many_files(&mut self, count: usize) {
-        self.notices = vec![format!("a buoy has at most {MAX_FILES_PER_SPECTRUM} files: {count} were opened")];
     }
 
     /// Lets the user choose files to open, with the system's dialog. They are opened when they have been read.
@@ -114,8 +110,7 @@ impl App {
         super::tasks::spawn(async move {
             let paths: Vec<_> = chosen.await.unwrap_or_default().iter().map(|file| file.path().to_owned()).collect();
             if paths.len() > MAX_FILES_PER_SPECTRUM {
-                let most = MAX_FILES_PER_SPECTRUM;
-                inbox.put(Err(format!("a buoy has at most {most} files: {} were opened", paths.len())), &ctx);
+                inbox.put(Err(too_many_files(paths.len())), &ctx);
             } else if !paths.is_empty() {
                 inbox.put(input::read_all(&paths), &ctx);
             }
@@ -132,7 +127,7 @@ impl App {
     #[cfg(target_arch = "wasm32")]
     pub(super) fn open_chosen(&mut self, files: Vec<web_sys::File>) {
         if files.len() > MAX_FILES_PER_SPECTRUM {
-            self.refuse_many_files(files.len());
+            self.notices = vec![too_many_files(files.len())];
         } else {
             read_web_files(&self.opened_files, files, &self.ctx);
         }
@@ -205,6 +200,11 @@ impl App {
         self.params.look.sky.file = Some(file.clone());
         self.sky = Some(file);
     }
+}
+
+/// The notice that more files were opened at once than a buoy's spectrum has.
+fn too_many_files(count: usize) -> String {
+    format!("a buoy has at most {MAX_FILES_PER_SPECTRUM} files: {count} were opened")
 }
 
 /// A sky of dusk to try: orange at the horizon around the sun, blue above, in relative units of light.

@@ -1,6 +1,7 @@
 //! What the tests on the GPU share.
 #![allow(dead_code, reason = "every test crate uses some of it")]
 
+pub mod harness;
 pub mod skies;
 pub mod wgsl;
 

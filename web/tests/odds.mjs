@@ -154,14 +154,22 @@ export async function odds(context) {
         return { width, height, clientWidth, clientHeight };
       });
       assert.deepEqual(canvas, { width: 1140, height: 780, clientWidth: 760, clientHeight: 520 });
-      const [x, y, width, height] = await tab.until('the panel', () => {
-        const place = window.seastate.widget_bounds('Play');
-        return place && [...place];
-      });
+      const bounds = (label) =>
+        tab.until(
+          label,
+          (name) => {
+            const place = window.seastate.widget_bounds(name);
+            return place && [...place];
+          },
+          label,
+        );
+      // The last tab is at the right end of the panel.
+      const last = await bounds('Share');
       assert.ok(
-        x > 360 && x + width < 760 && y + height < 520,
-        `the panel is at the right edge: ${[x, y, width, height]}`,
+        last[0] > 640 && last[0] + last[2] < 760 && last[1] + last[3] < 520,
+        `the panel is at the right edge: ${last}`,
       );
+      const [x, y, width, height] = await bounds('Play');
       await tab.page.mouse.click(x + width / 2, y + height / 2);
       await tab.until('the sea to run', () => new URLSearchParams(window.seastate.state()).get('pause') === null);
       assert.deepEqual(tab.errors, [], 'console errors');
