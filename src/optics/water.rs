@@ -1,7 +1,11 @@
 //! Absorption and scattering of natural waters at the red, green and blue of the display, by Jerlov's water types.
 //!
 //! Jerlov (1976) tabulates the diffuse attenuation Kd of each type. Chlorophyll follows from Kd at 490 nm, scattering
-//! and backscattering from chlorophyll (Morel and Maritorena 2001), absorption from Kd and backscattering.
+//! and backscattering from chlorophyll (Morel and Maritorena 2001), absorption from Kd and backscattering. The colour of
+//! deep water is that of its whole spectrum of reflectance, seen with the CIE 1931 observer: the reflectance at three
+//! wavelengths would be 8 degrees of hue too purple in blue water.
+
+use super::colour;
 
 /// Shortest wavelength of Jerlov's attenuation table, nm.
 const FIRST_WAVELENGTH_NM: f64 = 400.0;
@@ -17,6 +21,10 @@ const DOWNWELLING_MEAN_COSINE: f64 = 0.9;
 /// Backward part of the light scattered by the mineral particles of coastal water, as a fraction of all light that they
 /// scatter (Petzold 1972).
 const COASTAL_BACKSCATTER_RATIO: f64 = 0.013;
+/// Factor of backscattering over absorption in the irradiance reflectance of deep water (Morel and Prieur 1977).
+const REFLECTANCE_PER_BACKSCATTER: f64 = 0.33;
+/// Smallest irradiance reflectance of deep water in a channel of the display.
+const MIN_REFLECTANCE: f64 = 2e-4;
 
 /// Jerlov's optical types of ocean (I to III) and coastal water (1C to 9C), clearest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,22 +114,31 @@ impl WaterOptics {
         let log = chlorophyll.log10();
         let particles_550 = 0.416 * chlorophyll.powf(0.766);
         let slope = if chlorophyll < 2.0 { 0.5 * (log - 0.3) } else { 0.0 };
-        let mut out = Self {
-            absorption: [0.0; 3],
-            scattering: [0.0; 3],
-            backscatter: [0.0; 3],
-            diffuse_attenuation: PRIMARY_WAVELENGTHS_NM.map(kd),
-        };
-        for (i, nm) in PRIMARY_WAVELENGTHS_NM.into_iter().enumerate() {
-            let sea_water = 0.00288 * (nm / 500.0).powf(-4.32);
+        let sea_water = |nm: f64| 0.00288 * (nm / 500.0).powf(-4.32);
+        let backscatter = |nm: f64| {
             let share = 0.002 + 0.01 * (0.5 - 0.25 * log) * (nm / 550.0).powf(slope);
             let share = if water_type.is_coastal() { COASTAL_BACKSCATTER_RATIO } else { share };
-            out.scattering[i] = sea_water + particles_550;
-            out.backscatter[i] = 0.5 * sea_water + share * particles_550;
-            out.absorption[i] =
-                (DOWNWELLING_MEAN_COSINE * kd(nm) - out.backscatter[i]).max(PURE_WATER_ABSORPTION_PER_M[i]);
+            0.5 * sea_water(nm) + share * particles_550
+        };
+        let absorption: [f64; 3] = std::array::from_fn(|i| {
+            let nm = PRIMARY_WAVELENGTHS_NM[i];
+            (DOWNWELLING_MEAN_COSINE * kd(nm) - backscatter(nm)).max(PURE_WATER_ABSORPTION_PER_M[i])
+        });
+        let colour = colour::linear_srgb_of_reflectance(|nm| {
+            let bb = backscatter(nm);
+            irradiance_reflectance(DOWNWELLING_MEAN_COSINE * kd(nm) - bb, bb)
+        });
+        Self {
+            absorption,
+            scattering: PRIMARY_WAVELENGTHS_NM.map(|nm| sea_water(nm) + particles_550),
+            // The backscattering with which a shader's three channels show this colour. Blue water is outside of the
+            // display's gamut: the negative red becomes almost black.
+            backscatter: std::array::from_fn(|i| {
+                let r = colour[i].max(MIN_REFLECTANCE);
+                absorption[i] * r / (REFLECTANCE_PER_BACKSCATTER * (1.0 - r))
+            }),
+            diffuse_attenuation: PRIMARY_WAVELENGTHS_NM.map(kd),
         }
-        out
     }
 
     /// Optical properties of water between `water_type` (`share` 0) and the next muddier type (`share` 1), by geometric
@@ -142,8 +159,8 @@ impl WaterOptics {
     #[must_use]
     pub fn with_reflectance_colour(self, colour: [f64; 3]) -> Self {
         let absorption = std::array::from_fn(|i| {
-            let r = (0.1 * colour[i]).max(2e-4);
-            0.33 * self.backscatter[i] * (1.0 - r) / r
+            let r = (0.1 * colour[i]).max(MIN_REFLECTANCE);
+            REFLECTANCE_PER_BACKSCATTER * self.backscatter[i] * (1.0 - r) / r
         });
         let diffuse_attenuation =
             std::array::from_fn(|i| (absorption[i] + self.backscatter[i]) / DOWNWELLING_MEAN_COSINE);
@@ -153,10 +170,7 @@ impl WaterOptics {
     /// Irradiance reflectance (upward over downward light, 0 to 1) of deep water just below its surface, in red, green
     /// and blue; shaders/water/body.wgsl uses the same formula.
     pub fn reflectance(&self) -> [f64; 3] {
-        std::array::from_fn(|i| {
-            let up = 0.33 * self.backscatter[i];
-            up / (self.absorption[i] + up)
-        })
+        std::array::from_fn(|i| irradiance_reflectance(self.absorption[i], self.backscatter[i]))
     }
 
     /// Fraction of vertical light (red, green, blue) that the water lets through on the way down to a sea bed at the
@@ -164,6 +178,13 @@ impl WaterOptics {
     pub fn two_way_transmittance(&self, depth_m: f64) -> [f64; 3] {
         std::array::from_fn(|i| (-2.0 * (self.absorption[i] + self.backscatter[i]) * depth_m).exp())
     }
+}
+
+/// Irradiance reflectance (upward over downward light, 0 to 1) of deep water with the absorption and backscattering
+/// coefficients `absorption` and `backscatter` (1/m), after Morel and Prieur (1977).
+fn irradiance_reflectance(absorption: f64, backscatter: f64) -> f64 {
+    let up = REFLECTANCE_PER_BACKSCATTER * backscatter;
+    up / (absorption + up)
 }
 
 #[cfg(test)]
@@ -195,7 +216,7 @@ mod tests {
 
     #[test]
     fn attenuation_comes_out_again() {
-        // a + bb = 0.9 Kd unless pure water alone absorbs more.
+        // a + bb = 0.9 Kd unless pure water alone absorbs more. Backscattering carries the colour of the whole spectrum.
         for water_type in WaterType::ALL {
             let water = WaterOptics::of_type(water_type);
             let kd_550 = water_type.diffuse_attenuation_per_m()[6];

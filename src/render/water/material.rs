@@ -238,10 +238,7 @@ impl MaterialUniform {
             crest_transmission: scattering.crest_transmission as f32,
             foam_colour: colour(foam.colour),
             scatter_view_dependence: scattering.scatter_view_dependence as f32,
-            deep_reflectance: std::array::from_fn(|i| {
-                let up = 0.33 * water.backscatter[i];
-                (up / (water.absorption[i] + up)) as f32
-            }),
+            deep_reflectance: single(water.reflectance()),
             refracted_sun_sine: (1.0 - (into_water * sun_cosine).powi(2)).max(0.0).sqrt() as f32,
             bed_colour: colour(bed.colour),
             sunlight_scatter_factor: scattering.diffuse_strength as f32,
