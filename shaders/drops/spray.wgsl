@@ -17,8 +17,7 @@ const SPRAY_COARSE_SHARE = 0.5;
 const SPRAY_MIST_DEPTH = 0.32;
 // Exposure time over which a drop draws its streak, s.
 const SPRAY_EXPOSURE_S = 0.006;
-// Least distance between two drops, m, and least distance in pixels. Distances are one of the two, doubled until both
-// hold.
+// Least distance between two drops, m, and in pixels: the first is doubled until the second holds.
 const SPRAY_DROP_CELL_M = 0.016;
 const SPRAY_DROP_CELL_PIXELS = 1.4;
 // Fraction of the cells in the middle of a young puff that hold a drop.
@@ -205,7 +204,7 @@ fn spray_drops(in: SprayFragment) -> f32 {
   let middle = (cell + 0.5) / in.cells.xy;
   let share = in.torn.y * saturate(1.0 - dot(middle, middle));
   let size = saturate(1.0 - random.z / max(share, 1e-3));
-  let radius = 0.38 * size * size;
+  let radius = 0.28 * size * size;
   let room = (1.0 - 2.0 * radius) / vec2f(in.torn.x, 1.0);
   let off = (place - cell - 0.5 - (random.xy - 0.5) * room) * vec2f(in.torn.x, 1.0);
   let distance = length(vec2f(max(abs(off.x) - in.cells.z, 0.0), off.y));
@@ -220,7 +219,7 @@ fn spray_drops(in: SprayFragment) -> f32 {
 fn spray_sheets(in: SprayFragment, inside: f32) -> f32 {
   let cover = in.torn.z * inside;
   let lace = textureSampleLevel(noise_map, noise_sampler, in.noise.xy + in.at * in.noise.zw, in.noise_lod).r - 0.5;
-  return SPRAY_SHEET_OPACITY * saturate(8.0 * cover) * saturate(9.0 * lace + 4.0 * cover - 3.2);
+  return SPRAY_SHEET_OPACITY * saturate(8.0 * cover) * saturate(9.0 * lace + 3.4 * cover - 3.2);
 }
 
 // Opacity of mist.
