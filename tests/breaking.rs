@@ -213,8 +213,8 @@ fn fronts(gpu: &Gpu, state: &str, times: u32) -> Fronts {
             .collect();
         for (i, [excess, along, across, _]) in cells.iter().enumerate() {
             let [foam, _, front] = pair[1][i];
-            let f = ((front - 0.45) / 0.2).clamp(0.0, 1.0);
-            let f = 0.92 * f * f * (3.0 - 2.0 * f);
+            let f = ((front - 0.3) / 0.35).clamp(0.0, 1.0);
+            let f = 0.96 * f * f * (3.0 - 2.0 * f);
             out.foam += share * foam;
             out.source += share * (excess - 1.0).clamp(0.0, 1.0);
             out.drawn_front += share * f;
@@ -287,7 +287,7 @@ fn fronts_have_the_speeds_of_breakers() {
         let (speed, slope) = mean_speed_and_slope(&fronts);
         let drawn = [fronts.drawn_front, fronts.beside].map(|x| x / fronts.foam);
         // `foam_amount` with its constants.
-        let shown = drawn[0] + drawn[1] * (1.0 - 0.29) / (1.0 - 0.18);
+        let shown = drawn[0] + drawn[1] * (1.0 - 0.36) / (1.0 - 0.24);
         eprintln!(
             "wind {wind}: cp {cp:.1} m/s, mean speed {speed:.2} m/s, then slope {slope:.2}; foam {:.5} (Monahan {:.5}), \
              from its fronts {white:.5}; exposure {exposure_s:.2} s; drawn fronts {:.3} and foam beside {:.3}, shown \

@@ -2,7 +2,7 @@
 
 // Backscattering coefficient of a dense bubble plume under a breaker, 1/m, for a void fraction of 1e-3 (Deane and
 // Stokes 2002; backscattering ratio of Zhang, Lewis and Johnson 1998).
-const WATER_PLUME_BACKSCATTER = 0.2;
+const WATER_PLUME_BACKSCATTER = 0.4;
 // Depth of a bubble plume under a breaker, m.
 const WATER_PLUME_DEPTH_M = 0.8;
 

@@ -1,7 +1,9 @@
 // Light of whitecaps: a white diffuse body with relief.
 
 // Reflectance of thick fresh foam (Whitlock, Bartlett and Gurganus 1982; Koepke 1984).
-const FOAM_ALBEDO = 0.72;
+const FOAM_ALBEDO = 0.6;
+// Sunlight that comes through heaps of foam from behind, relative to that which falls on a plane towards the sun.
+const FOAM_GLOW = 0.16;
 
 // Colour of a thin film of foam: light that it scatters down comes back through the water between its bubbles.
 const FOAM_FILM_COLOUR = vec3f(0.75, 0.9, 0.95);
@@ -23,11 +25,14 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
     let lit = water_tilt_projected_area(water_tilt_towards(l, slope));
     wrapped *= saturate(lit.y / max(lit.x, 1e-6));
   }
-  // Hollows see less of the sky.
-  let open = (0.55 + 0.45 * n.y) * (0.7 + 0.6 * foam.grain);
+  // Hollows see less of the sky, and light is lost between their walls.
+  let hollow = clamp(foam.grain, -0.2, 1.2);
+  let open = (0.55 + 0.45 * n.y) * (0.4 + 1.2 * hollow);
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
-  let albedo = material.foam_colour * thin * (FOAM_ALBEDO * (0.85 + 0.3 * foam.grain));
-  let sunlight = shadow_sun_irradiance() * (wrapped * (0.8 + 0.4 * foam.grain));
+  let albedo = material.foam_colour * thin * (FOAM_ALBEDO * (0.8 + 0.4 * hollow));
+  let behind = max(-dot(v, l), 0.0);
+  let glow = FOAM_GLOW * behind * behind * saturate(8.0 * l.y);
+  let sunlight = shadow_sun_irradiance() * (foam.lit * wrapped * (0.6 + 0.8 * hollow) + glow);
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {
     return body;

@@ -15,8 +15,8 @@ const LEAN_MOST_SHADOW = 5.0;
 const LEAN_MIN_FOAM = 0.02;
 // Part of the light of old foam that comes from its film.
 const LEAN_FILM = 0.45;
-// Opacity of old foam, film and body together.
-const LEAN_OLD_FOAM_OPACITY = 0.47;
+// Opacity of the oldest foam, film and body together, and what youth adds.
+const LEAN_OLD_FOAM_OPACITY = vec2f(0.2, 0.36);
 
 // Radiance of the sky in the direction to the eye, mirrored by a facet of the slope `slope`.
 fn lean_mirrored_sky(v: vec3f, slope: vec2f, layer: f32) -> vec3f {
@@ -131,9 +131,12 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
   let z = over * dot(noise - 0.5, weight * FOAM_PER_DEVIATION.xyz);
   let cut = foam_normal_cdf((z + edge) * inverseSqrt(soft * soft + 1.0 - resolved));
   var out: FoamAppearance;
-  out.cover = cut * mix(LEAN_OLD_FOAM_OPACITY, FOAM_FRONT_OPACITY.x + FOAM_FRONT_OPACITY.y, amount.fresh);
+  out.cover = cut * mix(
+    LEAN_OLD_FOAM_OPACITY.x + LEAN_OLD_FOAM_OPACITY.y * amount.young, FOAM_FRONT_OPACITY.x + FOAM_FRONT_OPACITY.y,
+    amount.fresh);
   out.film = LEAN_FILM * (1.0 - amount.fresh);
   out.grain = 0.5;
+  out.lit = 1.0;
   return out;
 }
 

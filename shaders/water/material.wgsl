@@ -3,8 +3,8 @@
 // For the four noise layers of foam (channels cloud, lace, lace, lace): mip level at which half the variance is left,
 // and steepness of the decrease. Fitted to the mip levels of src/render/water/noise.rs as the sampler interpolates
 // them.
-const MATERIAL_HALF_VARIANCE_LOD = vec4f(5.45, 3.70, 3.70, 3.70);
-const MATERIAL_VARIANCE_STEEPNESS = vec4f(1.75, 1.48, 1.48, 1.48);
+const MATERIAL_HALF_VARIANCE_LOD = vec4f(5.45, 4.00, 4.00, 4.00);
+const MATERIAL_VARIANCE_STEEPNESS = vec4f(1.75, 1.36, 1.36, 1.36);
 
 fn material_uv(layer: u32, at: vec2f) -> vec2f {
   let place = material.noise_layers[layer];

@@ -125,5 +125,6 @@ fn wake_add_foam(foam: FoamAmount, wake: Wake) -> FoamAmount {
   let added = wake.foam * (1.0 - foam.cover);
   let cover = foam.cover + added;
   let fresh = (foam.fresh * foam.cover + 0.6 * added) / max(cover, 1e-4);
-  return FoamAmount(cover, fresh, max(foam.plume, wake.foam));
+  let young = (foam.young * foam.cover + added) / max(cover, 1e-4);
+  return FoamAmount(cover, fresh, max(foam.plume, wake.foam), young);
 }

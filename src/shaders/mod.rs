@@ -96,6 +96,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/crest.wgsl"),
     part!("water/bed.wgsl"),
     part!("water/foam.wgsl"),
+    part!("water/foam_look.wgsl"),
     part!("water/foam_light.wgsl"),
     part!("water/wake.wgsl"),
     part!("water/rings.wgsl"),

@@ -11,8 +11,8 @@ use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
 /// Number of noise layers, each a periodic texture at its own size and angle: four for foam, four of the
-/// bed's texture, and two for the roughness of the water.
-const NOISE_LAYERS: usize = 10;
+/// bed's texture, two for the roughness of the water, and one for the billows of breakers.
+const NOISE_LAYERS: usize = 11;
 /// Shape of a noise layer.
 #[derive(Clone, Copy)]
 struct LayerShape {
@@ -45,14 +45,14 @@ impl LayerShape {
 }
 
 /// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), four of the bed (banks and
-/// channels, meadows, coral heads, ripples of the sand), gusts and slicks. Sides and angles have no common period, so
+/// channels, meadows, coral heads, ripples of the sand), gusts, slicks and billows. Sides and angles have no common period, so
 /// that the sum of the layers does not repeat. Windrows gather old foam between the rolls of the Langmuir circulation,
 /// 10 to 100 m apart, in winds above 8 m/s. Foam moves with the water that it lies on, gusts are carried by the air, and
 /// slicks by the surface current.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::foam([910.0, 190.0, 0.0, 3.5], [0.36, 0.5]),
-    LayerShape::foam([71.0, 71.0, 4.0, 2.8], [0.64, 0.0]),
-    LayerShape::foam([10.7, 10.7, -5.0, 2.2], [1.26, -0.2]),
+    LayerShape::foam([113.0, 37.0, 4.0, 1.2], [0.64, 0.0]),
+    LayerShape::foam([13.1, 7.3, -5.0, 1.0], [1.26, -0.2]),
     LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.45, 0.0]),
     // The smallest tile of the bed holds 38 ripples. Their crests lie across the waves, which follow the wind.
     LayerShape::bed(1130.0, 63.0),
@@ -61,12 +61,13 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::bed(15.1, -14.0),
     LayerShape::roughness([910.0, 620.0, 4.0, 0.5], 0.7),
     LayerShape::roughness([260.0, 149.0, -7.0, 2.0], 0.03),
+    LayerShape::foam([37.0, 31.0, 17.0, 0.3], [0.0; 2]),
 ];
 /// Least density of texels that a layer counts with, relative to that along its denser axis: a longer tile would
 /// flicker across its axis.
 const MIN_DENSITY_RATIO: f64 = 0.4;
 /// Part of a storm's mean foam that lies in streaks over the whole sea.
-const MOST_FOAM_IN_STREAKS: f64 = 0.1;
+const MOST_FOAM_IN_STREAKS: f64 = 0.2;
 /// Time for which a glint of the sun lasts, s.
 const GLINT_MOMENT_S: f64 = 0.06;
 /// Period of the cells of both layers of rings (shaders/water/rings.wgsl), m; area of the larger cells, m^2; and how

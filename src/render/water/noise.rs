@@ -89,16 +89,18 @@ type Field<'a> = dyn Fn(&dyn Fn(f32, f32) -> f32) -> Vec<f32> + 'a;
 
 /// Ranks of the lace that is left of old foam: films that holes of all sizes have torn, down to threads.
 ///
-/// The threads are the borders between bubbles of random sizes. Each octave is strong where another one is weak, so
-/// that no size of cell prevails anywhere, and the coordinates are warped by currents of three scales.
+/// The threads are the borders between bubbles of random sizes. Where the borders of several octaves meet, the strongest
+/// one prevails, so that small holes lie between large ones, and at a high threshold a net of long threads is left. Each
+/// octave is strong where another one is weak, so that no size of cell prevails anywhere, and the coordinates are warped
+/// by currents of three scales.
 fn lace(field: &Field<'_>) -> Vec<f32> {
-    let warps = [(5, 11, 0.045), (11, 13, 0.024), (27, 15, 0.012)].map(|(period, key, strength)| {
+    let warps = [(5, 11, 0.05), (11, 13, 0.028), (27, 15, 0.012)].map(|(period, key, strength)| {
         (NoiseLattice::gradients(period, key), NoiseLattice::gradients(period, key + 1), strength)
     });
-    let octaves = [(7, 1, 1.0), (13, 2, 0.95), (23, 3, 0.85), (41, 4, 0.65), (73, 8, 0.45)]
+    let octaves = [(9, 1, 1.0), (17, 2, 0.95), (31, 3, 0.88), (57, 4, 0.75), (97, 8, 0.55)]
         .map(|(period, key, strength)| (NoiseLattice::feature_points(period, key, 0.8), strength));
     let shares = [(5, 51), (8, 52), (14, 53)].map(|(period, key)| NoiseLattice::gradients(period, key));
-    let films: [_; 4] = std::array::from_fn(|o| NoiseLattice::gradients(7 << o, 70 + o as u32));
+    let films: [_; 4] = std::array::from_fn(|o| NoiseLattice::gradients(6 << o, 70 + o as u32));
     field(&|x, y| {
         let (mut u, mut v) = (x, y);
         for (along, across, strength) in &warps {
@@ -106,13 +108,15 @@ fn lace(field: &Field<'_>) -> Vec<f32> {
             v += strength * across.perlin_noise(x, y);
         }
         let [a, b, c] = [0, 1, 2].map(|i| 1.4 * shares[i].perlin_noise(u, v));
+        // A high power makes the sum follow the strongest octave.
         let threads: f32 = octaves
             .iter()
             .zip([a, b, -a, c, -b])
-            .map(|((octave, strength), share)| strength * (0.5 + share).clamp(0.0, 1.0) * octave.ridge_noise(u, v))
+            .map(|((octave, strength), share)| strength * (0.62 + share).clamp(0.0, 1.0) * octave.ridge_noise(u, v))
+            .map(|thread| thread.powi(4))
             .sum();
         let mut weight = 0.5;
-        films.iter().fold(threads, |sum, film| {
+        films.iter().fold(threads.sqrt().sqrt(), |sum, film| {
             let part = weight * film.perlin_noise(u, v);
             weight *= 0.6;
             sum + part
