@@ -9,6 +9,7 @@ mod share;
 mod spectra;
 mod study;
 mod summary;
+mod sun;
 mod systems;
 pub mod time;
 pub mod touch;
