@@ -92,6 +92,8 @@ pub struct Panel {
     link: String,
     /// The named sea that is shown, see [`App::shown_sea_name`](super::App::shown_sea_name).
     shown_sea: chosen::ShownSea,
+    /// Whether the next frame scrolls the list of named seas to the one that is shown.
+    scrolls_to_shown_sea: bool,
     /// How pictures are saved.
     pub picture: PictureChoice,
     /// Length of a film, s, if the user has chosen one.
@@ -107,6 +109,11 @@ pub struct Panel {
 impl Panel {
     fn open_tab(&self, is_narrow: bool) -> Option<Tab> {
         if self.tab_was_chosen { self.tab } else { (!is_narrow).then_some(Tab::Weather) }
+    }
+
+    /// Whether the named seas are shown; the arrow keys then choose among them.
+    pub fn shows_seas(&self, ctx: &egui::Context) -> bool {
+        has_room(ctx) && self.open_tab(is_narrow(ctx)) == Some(Tab::Seas)
     }
 
     /// Opens a tab.

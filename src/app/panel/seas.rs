@@ -2,7 +2,7 @@
 
 use super::super::accessible_names::with_accessible_name;
 use super::super::{App, storage, thumbnails};
-use super::button_with_help;
+use super::{button_with_help, touch};
 use crate::app::language::{say, tr};
 use crate::state::presets::{self, Preset};
 
@@ -53,6 +53,8 @@ impl OwnSeas {
 pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
     let mut chosen = None;
     let shown = app.shown_sea_name();
+    let scrolls = std::mem::take(&mut app.panel.scrolls_to_shown_sea);
+    let top = ui.cursor().top();
     for (index, preset) in presets::built_in().iter().enumerate() {
         let picture = app.thumbnails.image(index, ui.ctx());
         // The first sentence says what one sees; the rest and the source are for those who ask.
@@ -76,9 +78,16 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
         let card = egui::Button::opt_image_and_text(picture, Some(job.into()));
         let card = card.selected(is_shown).min_size(egui::vec2(ui.available_width(), 0.0));
         let card = ui.add(card).on_hover_text(format!("{about}\n{}", preset.source));
+        if is_shown && scrolls {
+            card.scroll_to_me(None);
+        }
         if with_accessible_name(card, &preset.name).clicked() {
             chosen = Some(preset.clone());
         }
+    }
+    let cards = ui.min_rect().with_min_y(top);
+    if let Some(step) = touch::swiped_sideways(ui, cards) {
+        app.open_neighbouring_sea(step);
     }
     let mut dropped = None;
     if !app.own_seas.seas.is_empty() {
