@@ -3,6 +3,7 @@
 mod accessible_names;
 mod camera;
 mod caption;
+mod clock;
 mod derived;
 pub mod device_loss;
 mod film;
@@ -48,10 +49,6 @@ use crate::waves::SeaChange;
 use derived::DerivedSeaData;
 use gpu_errors::GpuErrors;
 use quality::FrameTimes;
-
-/// Upper limit of the wall-clock time by which one frame advances the clock, s. It prevents a jump of the simulated
-/// time after the window was in the background.
-const MAX_TIME_STEP_S: f64 = 0.1;
 
 const NO_WGPU_MESSAGE: &str = "eframe was started without wgpu";
 
@@ -250,27 +247,6 @@ impl App {
 
     fn gpu(&self) -> Gpu {
         Gpu { device: self.render_state.device.clone(), queue: self.render_state.queue.clone() }
-    }
-
-    /// Advances the simulated time by the wall-clock time since the last frame times the clock's speed, which the user
-    /// sets. Time stands still while the user has stopped the clock, and until the GPU has finished the first picture.
-    fn advance_time(&mut self, ctx: &egui::Context) {
-        if self.stands_still() || self.progress.is_first_picture_pending() {
-            return;
-        }
-        let dt = f64::from(ctx.input(|i| i.stable_dt)).min(MAX_TIME_STEP_S);
-        self.params.clock.t_s += dt * self.params.clock.speed;
-        ctx.request_repaint();
-    }
-
-    /// Passes the parameters of this frame to the undo history, and requests another frame while a change waits to
-    /// become an undo step.
-    fn watch_history(&mut self, ctx: &egui::Context) {
-        let (held, now_s) = ctx.input(|i| (i.pointer.any_down(), i.time));
-        self.history.note_params(&self.params, held, now_s);
-        if self.history.has_uncommitted_change() {
-            ctx.request_repaint();
-        }
     }
 
     /// If the parameters of the sea or the FFT grid have changed, recomputes the plan, the statistics and the plot
