@@ -97,7 +97,11 @@ impl App {
         if closes_help {
             self.help_is_open = false;
         }
-        let uses_escape = closes_help || caption::apply_view_keys(&mut self.params.look.view, ctx);
+        let ends_hints = !closes_help && self.visitor.first_steps.is_shown() && pressed(Key::Escape);
+        if ends_hints {
+            self.end_first_steps();
+        }
+        let uses_escape = closes_help || ends_hints || caption::apply_view_keys(&mut self.params.look.view, ctx);
         if !uses_escape && cfg!(not(target_arch = "wasm32")) && pressed(Key::Escape) {
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }

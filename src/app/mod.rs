@@ -7,6 +7,7 @@ mod clock;
 mod derived;
 pub mod device_loss;
 mod film;
+mod first_steps;
 mod gpu_errors;
 mod history;
 mod icons;
@@ -29,12 +30,14 @@ mod saved_picture;
 mod screen_readers;
 pub mod setup;
 mod share;
+mod slow_camera;
 mod storage;
 mod tasks;
 mod text_size;
 mod thumbnails;
 mod units;
 mod viewport;
+mod visitor;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 #[cfg(target_arch = "wasm32")]
@@ -74,6 +77,7 @@ pub struct App {
     quality: quality::AdaptiveQuality,
     languages: language::Languages,
     thumbnails: thumbnails::Thumbnails,
+    visitor: visitor::Visitor,
     /// Whether the help window with the keyboard shortcuts is open.
     help_is_open: bool,
     /// Factor on egui's text and controls that was set last.
@@ -157,6 +161,7 @@ impl App {
             quality,
             languages: language::Languages::default(),
             thumbnails: thumbnails::Thumbnails::default(),
+            visitor: visitor::Visitor::default(),
             help_is_open: false,
             text_size: 1.0,
             message: None,
@@ -259,12 +264,17 @@ impl App {
         self.discard_measurements();
     }
 
-    /// Copy of the current parameters, with the FFT size and the light that adaptive quality allows; the frame is drawn
-    /// with it.
+    /// Copy of the current parameters, with the FFT size and the light that adaptive quality allows, and with the slow
+    /// camera; the frame is drawn with it.
     fn params_to_draw(&self) -> Params {
         let grid = self.quality.reduced_grid(&self.params.grid, &self.params.screen);
         let screen = Screen { detail: self.quality.detail(&self.params.screen), ..self.params.screen.clone() };
-        Params { grid, screen, ..self.params.clone() }
+        let mut params = Params { grid, screen, ..self.params.clone() };
+        // A saved picture has the camera of its state.
+        if self.picture_job.is_none() {
+            self.visitor.slow_camera.apply(&mut params.camera);
+        }
+        params
     }
 }
 
@@ -290,6 +300,7 @@ impl eframe::App for App {
         self.advance_picture_job();
         self.handle_keys(&ctx);
         self.advance_time(&ctx);
+        self.advance_slow_camera(&ctx);
         #[cfg(target_arch = "wasm32")]
         self.advance_film();
         self.take_opened_files(&ctx);
@@ -334,6 +345,7 @@ impl eframe::App for App {
         // A saved picture remembers the user's choices, not what this machine can draw at this moment.
         self.drawn = Some((self.params.clone(), size));
         self.drawn_is_whole = self.quality.is_full(&self.params.screen);
+        self.visitor.pointer_is_off_sea = ctx.pointer_hover_pos().is_some() && !response.contains_pointer();
         self.place_floating_object(&response, &ctx);
         camera::apply_pointer_to_camera(&mut self.params.camera, &response, &ctx);
         caption::show_view_caption(&self.params, &self.derived.plan, &ctx);
@@ -342,6 +354,7 @@ impl eframe::App for App {
             Interface::Panel => {
                 panel::show_panel(self, &ctx);
                 panel::show_summary(self, &ctx);
+                self.show_first_steps(response.rect, &ctx);
             }
             Interface::Mini => mini::show_caption(self, &ctx),
         }

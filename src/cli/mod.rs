@@ -51,7 +51,10 @@ fn fail(message: &str) -> i32 {
 fn run(cli: Cli) -> Result<i32, String> {
     let gpu = || block_on(Gpu::request());
     let text = match cli.command {
-        None => return crate::app::native::run(&read_sea_params(&cli.sea.or_start())?).map(|()| 0),
+        None => {
+            let names_sea = cli.sea.names_sea();
+            return crate::app::native::run(&read_sea_params(&cli.sea.or_start())?, !names_sea).map(|()| 0);
+        }
         Some(Command::Check { sea: args }) => return check(&read_sea_params(&args)?),
         Some(Command::Render { sea: args, size, output, frames: Some(count), fps, layers, .. }) => {
             let sequence = PictureSequence { picture_count: count, fps, writes_layers: layers };
