@@ -139,7 +139,7 @@ mod tests {
     fn a_drag_of_the_camera_is_one_step_and_keeps_the_digits_of_a_link() {
         let looking = |heading_deg: f64, wind_m_s: f64| {
             let mut p = with_wind(wind_m_s);
-            (p.camera.heading_deg, p.camera.y_m) = (heading_deg, 3.14159);
+            (p.camera.heading_deg, p.camera.y_m) = (heading_deg, 3.217);
             p
         };
         let mut history = History::default();

@@ -89,22 +89,8 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
     if let Some(step) = touch::swiped_sideways(ui, cards) {
         app.open_neighbouring_sea(step);
     }
-    let mut dropped = None;
-    if !app.own_seas.seas.is_empty() {
-        ui.separator();
-        ui.horizontal_wrapped(|ui| {
-            for preset in &app.own_seas.seas {
-                if button_with_help(ui, &preset.name, &preset.state) {
-                    chosen = Some(preset.clone());
-                }
-                let cross = ui.small_button("×").on_hover_text(tr("Forget this sea."));
-                if with_accessible_name(cross, &say!("Forget {name}", name = preset.name)).clicked() {
-                    dropped = Some(preset.name.clone());
-                }
-            }
-        });
-    }
-    if let Some(preset) = chosen {
+    let (own, dropped) = show_own_seas(&app.own_seas.seas, ui);
+    if let Some(preset) = chosen.or(own) {
         app.open_preset(&preset);
     }
     if let Some(name) = dropped {
@@ -133,6 +119,27 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
         }
     });
     ui.weak(tr("Drop a file of seas here to import it."));
+}
+
+/// Adds buttons for the user's own named seas. Returns the sea that the user opens, and the name of the one to forget.
+fn show_own_seas(seas: &[Preset], ui: &mut egui::Ui) -> (Option<Preset>, Option<String>) {
+    let (mut chosen, mut dropped) = (None, None);
+    if seas.is_empty() {
+        return (chosen, dropped);
+    }
+    ui.separator();
+    ui.horizontal_wrapped(|ui| {
+        for preset in seas {
+            if button_with_help(ui, &preset.name, &preset.state) {
+                chosen = Some(preset.clone());
+            }
+            let cross = ui.small_button("×").on_hover_text(tr("Forget this sea."));
+            if with_accessible_name(cross, &say!("Forget {name}", name = preset.name)).clicked() {
+                dropped = Some(preset.name.clone());
+            }
+        }
+    });
+    (chosen, dropped)
 }
 
 /// Adds the button that changes the seed of the random wave phases, and the check box that locks the seed.
