@@ -32,6 +32,11 @@ if [ -n "${SEASTATE_URL:-}" ]; then
   edit "s|\(property=\"og:image\" content=\"\)still.jpg|\1${SEASTATE_URL%/}/still.jpg|" index.html
 fi
 
+# The message without a graphics card names the program: a link says where it is, if that is known.
+if [ -n "${SEASTATE_SOURCE:-}" ]; then
+  edit "s|<span id=\"program\">\(.*\)</span>|<a href=\"$SEASTATE_SOURCE\">\1</a>|" index.html
+fi
+
 # Files for other pages are not part of the offline copy.
 files=()
 for_others=()

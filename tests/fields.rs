@@ -56,6 +56,7 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("high4", "", "15"),
     ("sunsize", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&autoexposure=0&exposure=-8", "3"),
     ("sunfalloff", "overcast=0&sun=12&sunaz=40&pitch=12&fov=10&sunsize=5&autoexposure=0&exposure=-8", ""),
+    ("daylight", "sunby=date&t=60", ""),
     ("squalls", "clouds=storm&overcast=0", ""),
     ("spray", "wind=26&fetch=500&depth=4000&y=4&pitch=1", "1"),
     ("fogstart", "fog=2", "500"),

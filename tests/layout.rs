@@ -81,6 +81,15 @@ fn visit(zooms: &[f32], languages: &[&str], mut look: impl FnMut(&mut Harness<'s
                 harness.set_size(egui::vec2(width / zoom, height / zoom));
                 harness.run_steps(4);
                 look(&mut harness, &format!("{place}-start"));
+                harness.state_mut().offer_first_steps();
+                for number in 1.. {
+                    harness.run_steps(4);
+                    let buttons = ["Next", "Done"].map(tr);
+                    let button = buttons.into_iter().find_map(|name| harness.query_by_label(name));
+                    let Some(button) = button else { break };
+                    button.click_accesskit();
+                    look(&mut harness, &format!("{place}-hint-{number}"));
+                }
                 for tab in TABS {
                     if let Some(button) = harness.query_by_label(tr(tab)) {
                         button.click_accesskit();
@@ -99,9 +108,10 @@ fn visit(zooms: &[f32], languages: &[&str], mut look: impl FnMut(&mut Harness<'s
 #[test]
 fn no_text_is_cut_or_covered() {
     let mut found = Vec::new();
-    let mut looks = 0;
+    let (mut looks, mut hints) = (0, 0);
     let mut look = |harness: &mut Harness<'static, App>, place: &str| {
         looks += 1;
+        hints += usize::from(place.contains("-hint-"));
         // The list of keys lies over everything else.
         if place.ends_with("keys") {
             return;
@@ -111,6 +121,9 @@ fn no_text_is_cut_or_covered() {
     };
     visit(&ZOOMS, &["en"], &mut look);
     visit(&[1.0], Language::WORDS, &mut look);
+    // Only windows that are short and large of text at the same time may lack the room for a hint.
+    let windows = SIZES.len() * (ZOOMS.len() + Language::WORDS.len());
+    assert!(hints >= 4 * (windows - 2), "{hints} hints in {windows} windows");
     assert!(looks >= SIZES.len() * ZOOMS.len() * (TABS.len() + 2), "{looks}");
     assert!(found.is_empty(), "{} faults:\n{}", found.len(), found.join("\n"));
 }

@@ -59,8 +59,9 @@ pub fn mode_in_words(mode: CameraMode) -> &'static str {
 }
 
 /// Applies the keyboard to the camera: WASD and the arrows fly, Q and E sink and rise, Shift flies faster, C changes
-/// the camera mode. The camera dives no deeper than to the bed of water that is `depth_m` deep.
-pub fn apply_keys_to_camera(camera: &mut Camera, depth_m: f64, ctx: &egui::Context) {
+/// the camera mode. The camera dives no deeper than to the bed of water that is `depth_m` deep. Without
+/// `arrows_fly_aside`, the left and the right arrow do something else.
+pub fn apply_keys_to_camera(camera: &mut Camera, depth_m: f64, arrows_fly_aside: bool, ctx: &egui::Context) {
     if ctx.input(|i| i.key_pressed(Key::C) && i.modifiers.is_none()) {
         camera.mode = match camera.mode {
             CameraMode::Fly => CameraMode::Orbit,
@@ -73,7 +74,8 @@ pub fn apply_keys_to_camera(camera: &mut Camera, depth_m: f64, ctx: &egui::Conte
         return;
     }
     let ahead = held([Key::W, Key::ArrowUp]) - held([Key::S, Key::ArrowDown]);
-    let aside = held([Key::D, Key::ArrowRight]) - held([Key::A, Key::ArrowLeft]);
+    let [right, left] = if arrows_fly_aside { [Key::ArrowRight, Key::ArrowLeft] } else { [Key::D, Key::A] };
+    let aside = held([Key::D, right]) - held([Key::A, left]);
     let rise = held([Key::E, Key::PageUp]) - held([Key::Q, Key::PageDown]);
     if (ahead, aside, rise) == (0.0, 0.0, 0.0) {
         return;

@@ -55,6 +55,7 @@ impl App {
     #[cfg(target_arch = "wasm32")]
     pub(super) fn begin_film(&mut self) {
         self.params.clock.paused = false;
+        self.visitor.slow_camera.stop();
         let length_s = self.film_length_s().min(MAX_FILM_S);
         self.film = Some(Film { end_t_s: self.params.clock.t_s + length_s * self.params.clock.speed });
         super::web_page::tell_page("seastate-film-start");

@@ -1,6 +1,9 @@
-//! Undo and redo of parameter changes. Simulated time and camera are not undone, because they move by themselves.
+//! Undo and redo of parameter changes, and of moves of the camera. The simulated time is not undone, because it runs by
+//! itself.
 
+use super::App;
 use crate::state::Params;
+use crate::state::rounding::with_rounded_pose;
 use egui::util::undoer::{Settings, Undoer};
 
 /// Largest number of undo steps that are kept.
@@ -8,7 +11,7 @@ const MAX_UNDO_STEPS: usize = 200;
 /// Time for which a changed parameter must stay constant before the change becomes an undo step, s.
 const UNDO_STEP_DELAY_S: f32 = 0.4;
 
-/// The undo history: the parameters after each step, without simulated time and camera.
+/// The undo history: the parameters after each step, without the simulated time.
 pub struct History(Undoer<Params>);
 
 impl Default for History {
@@ -51,14 +54,14 @@ impl History {
         (self.0.has_undo(&now), self.0.has_redo(&now))
     }
 
-    /// Undoes one step: sets all parameters but time and camera to their values before it. Changes nothing if no step
+    /// Undoes one step: sets all parameters but the time to their values before it. Changes nothing if no step
     /// is left.
     pub fn undo(&mut self, params: &mut Params) {
         let now = self.feed_undoer(params);
         restore_recorded_params(params, self.0.undo(&now));
     }
 
-    /// Redoes one step: sets all parameters but time and camera to their values before the last undo. Changes nothing
+    /// Redoes one step: sets all parameters but the time to their values before the last undo. Changes nothing
     /// if nothing was undone.
     pub fn redo(&mut self, params: &mut Params) {
         let now = self.feed_undoer(params);
@@ -66,7 +69,7 @@ impl History {
     }
 
     /// Records the current parameters, which may have changed since the last frame. A change discards all redo steps.
-    /// Returns the parameters as recorded: with default time and camera.
+    /// Returns the parameters as recorded: with the default time.
     fn feed_undoer(&mut self, params: &Params) -> Params {
         let now = recorded_params(params);
         self.0.feed_state(f64::NEG_INFINITY, &now);
@@ -74,19 +77,33 @@ impl History {
     }
 }
 
-/// Sets all parameters to those of `to`, except simulated time and camera, which stay as they are. `None` (nothing to
-/// undo or redo) changes nothing.
-fn restore_recorded_params(params: &mut Params, to: Option<&Params>) {
-    if let Some(to) = to {
-        *params = Params { clock: params.clock.clone(), camera: params.camera.clone(), ..to.clone() };
+impl App {
+    /// Passes the parameters of this frame to the undo history, and requests another frame while a change waits to
+    /// become an undo step.
+    pub(super) fn watch_history(&mut self, ctx: &egui::Context) {
+        let (held, now_s) = ctx.input(|i| (i.pointer.any_down(), i.time));
+        self.history.note_params(&self.params, held, now_s);
+        if self.history.has_uncommitted_change() {
+            ctx.request_repaint();
+        }
     }
 }
 
-/// Copy of the parameters as the history records them: with the default time and camera, because undo and redo leave
-/// the current ones as they are.
+/// Sets all parameters to those of `to`, except the simulated time, which stays as it is. `None` (nothing to undo or
+/// redo) changes nothing. A camera that is recorded as it is keeps the digits that the rounding leaves out.
+fn restore_recorded_params(params: &mut Params, to: Option<&Params>) {
+    if let Some(to) = to {
+        let is_at_rest = with_rounded_pose(params).camera == to.camera;
+        let camera = if is_at_rest { &params.camera } else { &to.camera };
+        *params = Params { clock: params.clock.clone(), camera: camera.clone(), ..to.clone() };
+    }
+}
+
+/// Copy of the parameters as the history records them: with the default time, because undo and redo leave the current one
+/// as it is. The camera is rounded as in a link, because the app rounds it, too, once the user lets it rest.
 fn recorded_params(params: &Params) -> Params {
-    let Params { clock, camera, .. } = Params::default();
-    Params { clock, camera, ..params.clone() }
+    let Params { clock, .. } = Params::default();
+    Params { clock, ..with_rounded_pose(params) }
 }
 
 #[cfg(test)]
@@ -119,6 +136,33 @@ mod tests {
     }
 
     #[test]
+    fn a_drag_of_the_camera_is_one_step_and_keeps_the_digits_of_a_link() {
+        let looking = |heading_deg: f64, wind_m_s: f64| {
+            let mut p = with_wind(wind_m_s);
+            (p.camera.heading_deg, p.camera.y_m) = (heading_deg, 3.217);
+            p
+        };
+        let mut history = History::default();
+        history.note_params(&looking(40.0, 12.0), false, 0.0);
+        for i in 1..=20 {
+            history.note_params(&looking(40.0 + f64::from(i), 12.0), true, 0.1 * f64::from(i));
+        }
+        for now_s in [3.0, 4.0] {
+            history.note_params(&looking(60.0, 12.0), false, now_s);
+        }
+        for now_s in [5.0, 6.0] {
+            history.note_params(&looking(60.0, 20.0), false, now_s);
+        }
+        let mut p = looking(60.0, 20.0);
+        history.undo(&mut p);
+        assert_eq!(p, looking(60.0, 12.0), "the wind, while the camera keeps all of its digits");
+        history.undo(&mut p);
+        assert_eq!((p.camera.heading_deg, history.can_undo_redo(&p)), (40.0, (false, true)));
+        history.redo(&mut p);
+        assert_eq!(p.camera.heading_deg, 60.0);
+    }
+
+    #[test]
     fn what_is_undone_at_once_is_not_lost() {
         let mut history = History::default();
         history.note_params(&with_wind(12.0), false, 0.0);
@@ -148,7 +192,7 @@ mod tests {
         };
         let mut steps = vec![Params::default()];
         rest(&mut history, &steps[0]);
-        let fields = || FIELDS.iter().filter(|f| !matches!(f.group, Group::Camera | Group::Clock));
+        let fields = || FIELDS.iter().filter(|f| f.group != Group::Clock);
         for (i, field) in (0..).zip(fields()) {
             let mut p = steps[steps.len() - 1].clone();
             let value = match field.kind {
@@ -162,6 +206,7 @@ mod tests {
                 FieldKind::Colour => f64::from(0x0012_3456),
             };
             (field.set)(&mut p, value);
+            p.camera = with_rounded_pose(&p).camera;
             if p != steps[steps.len() - 1] {
                 rest(&mut history, &p);
                 steps.push(p);

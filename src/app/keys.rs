@@ -10,6 +10,10 @@ pub const KEYBOARD_HELP: &[(&str, &str)] = &[
     (text!("drag"), text!("look around; in orbit, turn around the sea in the middle")),
     (text!("wheel, pinch"), text!("zoom; in orbit, come closer")),
     (text!("W A S D, arrows"), text!("fly over the water; with Shift faster")),
+    (
+        text!("left, right"),
+        text!("previous and next sea, while the named seas are shown; or swipe over their pictures"),
+    ),
     (text!("Q, E"), text!("sink and rise; from the least height, dive and come up again")),
     (text!("C"), text!("camera: fly, orbit, ride on the water")),
     (text!("Space"), text!("stop and start the time")),
@@ -93,13 +97,25 @@ impl App {
         if closes_help {
             self.help_is_open = false;
         }
-        let uses_escape = closes_help || caption::apply_view_keys(&mut self.params.look.view, ctx);
+        let ends_hints = !closes_help && self.visitor.first_steps.is_shown() && pressed(Key::Escape);
+        if ends_hints {
+            self.end_first_steps();
+        }
+        let uses_escape = closes_help || ends_hints || caption::apply_view_keys(&mut self.params.look.view, ctx);
         if !uses_escape && cfg!(not(target_arch = "wasm32")) && pressed(Key::Escape) {
             ctx.send_viewport_cmd(egui::ViewportCommand::Close);
         }
+        // The arrows either choose a sea or fly, never both.
+        let chooses_sea = self.params.screen.interface == Interface::Panel && self.panel.shows_seas(ctx);
+        if free && chooses_sea && plain(Key::ArrowRight) {
+            self.open_neighbouring_sea(1);
+        }
+        if free && chooses_sea && plain(Key::ArrowLeft) {
+            self.open_neighbouring_sea(-1);
+        }
         if free {
             let before = self.params.camera.mode;
-            camera::apply_keys_to_camera(&mut self.params.camera, self.params.sea.depth_m, ctx);
+            camera::apply_keys_to_camera(&mut self.params.camera, self.params.sea.depth_m, !chooses_sea, ctx);
             if self.params.camera.mode != before {
                 self.show_brief_message(camera::mode_in_words(self.params.camera.mode));
             }

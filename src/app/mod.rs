@@ -3,10 +3,11 @@
 mod accessible_names;
 mod camera;
 mod caption;
+mod clock;
 mod derived;
 pub mod device_loss;
 mod film;
-mod governor;
+mod first_steps;
 mod gpu_errors;
 mod history;
 mod icons;
@@ -29,12 +30,14 @@ mod saved_picture;
 mod screen_readers;
 pub mod setup;
 mod share;
+mod slow_camera;
 mod storage;
 mod tasks;
 mod text_size;
 mod thumbnails;
 mod units;
 mod viewport;
+mod visitor;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 #[cfg(target_arch = "wasm32")]
@@ -49,10 +52,6 @@ use crate::waves::SeaChange;
 use derived::DerivedSeaData;
 use gpu_errors::GpuErrors;
 use quality::FrameTimes;
-
-/// Upper limit of the wall-clock time by which one frame advances the clock, s. It prevents a jump of the simulated
-/// time after the window was in the background.
-const MAX_TIME_STEP_S: f64 = 0.1;
 
 const NO_WGPU_MESSAGE: &str = "eframe was started without wgpu";
 
@@ -78,6 +77,7 @@ pub struct App {
     quality: quality::AdaptiveQuality,
     languages: language::Languages,
     thumbnails: thumbnails::Thumbnails,
+    visitor: visitor::Visitor,
     /// Whether the help window with the keyboard shortcuts is open.
     help_is_open: bool,
     /// Factor on egui's text and controls that was set last.
@@ -161,6 +161,7 @@ impl App {
             quality,
             languages: language::Languages::default(),
             thumbnails: thumbnails::Thumbnails::default(),
+            visitor: visitor::Visitor::default(),
             help_is_open: false,
             text_size: 1.0,
             message: None,
@@ -253,27 +254,6 @@ impl App {
         Gpu { device: self.render_state.device.clone(), queue: self.render_state.queue.clone() }
     }
 
-    /// Advances the simulated time by the wall-clock time since the last frame times the clock's speed, which the user
-    /// sets. Time stands still while the user has stopped the clock, and until the GPU has finished the first picture.
-    fn advance_time(&mut self, ctx: &egui::Context) {
-        if self.stands_still() || self.progress.is_first_picture_pending() {
-            return;
-        }
-        let dt = f64::from(ctx.input(|i| i.stable_dt)).min(MAX_TIME_STEP_S);
-        self.params.clock.t_s += dt * self.params.clock.speed;
-        ctx.request_repaint();
-    }
-
-    /// Passes the parameters of this frame to the undo history, and requests another frame while a change waits to
-    /// become an undo step.
-    fn watch_history(&mut self, ctx: &egui::Context) {
-        let (held, now_s) = ctx.input(|i| (i.pointer.any_down(), i.time));
-        self.history.note_params(&self.params, held, now_s);
-        if self.history.has_uncommitted_change() {
-            ctx.request_repaint();
-        }
-    }
-
     /// If the parameters of the sea or the FFT grid have changed, recomputes the plan, the statistics and the plot
     /// data, and discards what was measured in the old sea.
     fn update_derived_sea_data(&mut self) {
@@ -284,12 +264,17 @@ impl App {
         self.discard_measurements();
     }
 
-    /// Copy of the current parameters, with the FFT size and the light that adaptive quality allows; the frame is drawn
-    /// with it.
+    /// Copy of the current parameters, with the FFT size and the light that adaptive quality allows, and with the slow
+    /// camera; the frame is drawn with it.
     fn params_to_draw(&self) -> Params {
         let grid = self.quality.reduced_grid(&self.params.grid, &self.params.screen);
         let screen = Screen { detail: self.quality.detail(&self.params.screen), ..self.params.screen.clone() };
-        Params { grid, screen, ..self.params.clone() }
+        let mut params = Params { grid, screen, ..self.params.clone() };
+        // A saved picture has the camera of its state.
+        if self.picture_job.is_none() {
+            self.visitor.slow_camera.apply(&mut params.camera);
+        }
+        params
     }
 }
 
@@ -315,6 +300,7 @@ impl eframe::App for App {
         self.advance_picture_job();
         self.handle_keys(&ctx);
         self.advance_time(&ctx);
+        self.advance_slow_camera(&ctx);
         #[cfg(target_arch = "wasm32")]
         self.advance_film();
         self.take_opened_files(&ctx);
@@ -359,6 +345,7 @@ impl eframe::App for App {
         // A saved picture remembers the user's choices, not what this machine can draw at this moment.
         self.drawn = Some((self.params.clone(), size));
         self.drawn_is_whole = self.quality.is_full(&self.params.screen);
+        self.visitor.pointer_is_off_sea = ctx.pointer_hover_pos().is_some() && !response.contains_pointer();
         self.place_floating_object(&response, &ctx);
         camera::apply_pointer_to_camera(&mut self.params.camera, &response, &ctx);
         caption::show_view_caption(&self.params, &self.derived.plan, &ctx);
@@ -367,6 +354,7 @@ impl eframe::App for App {
             Interface::Panel => {
                 panel::show_panel(self, &ctx);
                 panel::show_summary(self, &ctx);
+                self.show_first_steps(response.rect, &ctx);
             }
             Interface::Mini => mini::show_caption(self, &ctx),
         }

@@ -51,7 +51,7 @@ impl App {
     /// the sea. `None` if there is no water, if it is farther than [`MAX_FLOATING_OBJECT_DISTANCE_M`], or if
     /// the camera dives.
     fn water_position_at(&self, at: egui::Pos2, rect: egui::Rect) -> Option<[f64; 2]> {
-        let camera = &self.params.camera;
+        let camera = &self.params_to_draw().camera;
         if camera.dive_m > 0.0 {
             return None;
         }

@@ -27,19 +27,21 @@ const LOSE_DEVICE_AT_START_KEY: egui::Key = egui::Key::F12;
 /// Key that destroys the GPU device at the end of a frame, in a rehearsal of a device loss.
 const LOSE_DEVICE_AT_END_KEY: egui::Key = egui::Key::F11;
 
-/// Opens the desktop window with the given parameters. Returns when the user closes it.
+/// Opens the desktop window with the given parameters. Returns when the user closes it. `is_first_sea`: the user named no
+/// sea, so these are the parameters of the first one; who sees it for the first time is offered the first steps.
 ///
 /// # Errors
 /// One sentence, if there is no display or no GPU, or if the GPU device is lost too often.
 #[expect(clippy::disallowed_methods, reason = "no browser runs this one")]
-pub fn run(params: &Params) -> Result<(), String> {
+pub fn run(params: &Params, is_first_sea: bool) -> Result<(), String> {
     let sky = params.look.sky.file.clone();
     env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("warn,wgpu_hal=error")).init();
     let state = query::write(params);
     let (parked, last_window) = (ParkedApp::default(), Rc::default());
     let mut losses: Vec<Instant> = Vec::new();
     loop {
-        let opened = catch_unwind(AssertUnwindSafe(|| open_window(&state, sky.as_ref(), &parked, &last_window)));
+        let opened =
+            catch_unwind(AssertUnwindSafe(|| open_window(&state, is_first_sea, sky.as_ref(), &parked, &last_window)));
         // The app is parked only if its GPU device was lost.
         let Some(at) = parked.borrow().as_ref().map(App::state) else {
             return opened.unwrap_or_else(|panic| resume_unwind(panic));
@@ -93,7 +95,13 @@ fn viewport_builder(last: &egui::ViewportInfo) -> egui::ViewportBuilder {
 
 type LastWindow = Rc<RefCell<egui::ViewportInfo>>;
 
-fn open_window(state: &str, sky: Option<&SkyFile>, parked: &ParkedApp, last_window: &LastWindow) -> Result<(), String> {
+fn open_window(
+    state: &str,
+    is_first_sea: bool,
+    sky: Option<&SkyFile>,
+    parked: &ParkedApp,
+    last_window: &LastWindow,
+) -> Result<(), String> {
     let options = eframe::NativeOptions {
         viewport: viewport_builder(&last_window.borrow()),
         renderer: eframe::Renderer::Wgpu,
@@ -102,7 +110,15 @@ fn open_window(state: &str, sky: Option<&SkyFile>, parked: &ParkedApp, last_wind
     };
     let (state, sky, parked, last_window) = (state.to_owned(), sky.cloned(), parked.clone(), last_window.clone());
     let create = move |cc: &eframe::CreationContext<'_>| -> AppCreation {
-        let host = AppHost::new(cc, &parked, |cc| App::with_sky(cc, &state, sky))?;
+        let host = AppHost::new(cc, &parked, |cc| {
+            let mut app = App::with_sky(cc, &state, sky)?;
+            app.load_preferences();
+            app.allow_slow_camera();
+            if is_first_sea {
+                app.offer_first_steps();
+            }
+            Ok(app)
+        })?;
         let rehearses = std::env::var_os(REHEARSE_LOSS_VARIABLE).is_some();
         Ok(Box::new(Window { host, parked, last_window, rehearses, loses_device: false }))
     };

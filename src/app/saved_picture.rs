@@ -70,7 +70,8 @@ impl App {
     /// picture in each frame draws it whole first. The result arrives later in `save_results`.
     pub(super) fn save_picture(&mut self) {
         let size = self.panel.picture.size.pixels();
-        if size.is_none() && self.drawn_is_whole && !self.progress.wants_frame() {
+        let is_as_in_state = self.drawn_is_whole && self.visitor.slow_camera.is_at_rest();
+        if size.is_none() && is_as_in_state && !self.progress.wants_frame() {
             self.take_picture();
             return;
         }

@@ -3,7 +3,7 @@
 use super::device_loss::{AppCreation, AppHost, ParkedApp};
 use super::gpu_errors::GpuErrors;
 use super::screen_readers::AccessibleItem;
-use super::web_page::{accessible_item_object, is_framed, js_object, page_link, pass_timing_object};
+use super::web_page::{accessible_item_object, is_automated, is_framed, js_object, page_link, pass_timing_object};
 use super::{App, setup, tasks};
 use crate::bench::{self, BenchOptions};
 use crate::gpu::Gpu;
@@ -270,6 +270,12 @@ fn app_from_address(cc: &eframe::CreationContext<'_>) -> Result<App, String> {
     }
     if media_matches("(prefers-reduced-motion: reduce)") {
         app.params.clock.paused = true;
+    } else if !(is_framed() || is_automated()) {
+        app.allow_slow_camera();
+    }
+    app.load_preferences();
+    if address_query().is_empty() && !(is_framed() || is_automated()) {
+        app.offer_first_steps();
     }
     Ok(app)
 }

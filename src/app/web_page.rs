@@ -19,6 +19,13 @@ pub fn is_framed() -> bool {
     parent.zip(web_sys::window()).is_some_and(|(parent, window)| parent != window)
 }
 
+/// Whether a program controls the browser, as in tests: no visitor is there to be shown anything.
+pub fn is_automated() -> bool {
+    let navigator = web_sys::window().map(|window| window.navigator());
+    let flag = navigator.and_then(|n| js_sys::Reflect::get(&n, &"webdriver".into()).ok());
+    flag.is_some_and(|flag| flag.is_truthy())
+}
+
 /// Address (URL) of this web page with the given state string as its query; an empty one is the default sea.
 pub fn page_link(state: &str) -> String {
     let location = eframe::web::web_location();

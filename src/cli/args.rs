@@ -50,6 +50,11 @@ pub struct SeaArgs {
 }
 
 impl SeaArgs {
+    /// Whether these arguments say which sea to show.
+    pub fn names_sea(&self) -> bool {
+        !self.spectrum.is_empty() || self.state.as_ref().is_some_and(|state| !state.is_empty())
+    }
+
     /// These arguments with the state of the first sea, if they name neither a state nor a spectrum.
     pub fn or_start(mut self) -> Self {
         if self.spectrum.is_empty() {

@@ -48,10 +48,16 @@ fn fail(message: &str) -> i32 {
     FAILURE_EXIT_CODE
 }
 
+/// Opens the desktop window with the named sea, else with the first one.
+fn open_window(args: SeaArgs) -> Result<i32, String> {
+    let is_first_sea = !args.names_sea();
+    crate::app::native::run(&read_sea_params(&args.or_start())?, is_first_sea).map(|()| 0)
+}
+
 fn run(cli: Cli) -> Result<i32, String> {
     let gpu = || block_on(Gpu::request());
     let text = match cli.command {
-        None => return crate::app::native::run(&read_sea_params(&cli.sea.or_start())?).map(|()| 0),
+        None => return open_window(cli.sea),
         Some(Command::Check { sea: args }) => return check(&read_sea_params(&args)?),
         Some(Command::Render { sea: args, size, output, frames: Some(count), fps, layers, .. }) => {
             let sequence = PictureSequence { picture_count: count, fps, writes_layers: layers };

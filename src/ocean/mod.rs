@@ -347,7 +347,7 @@ impl Ocean {
         let camera = relative_to_still_water(&self.params.camera, &sea);
         Scene {
             view: View::new(&camera, aspect, MIN_EYE_HEIGHT_M),
-            look: self.params.look.clone(),
+            look: self.params.look.at_time(self.params.clock.t_s),
             height_from_waves: self.params.camera.mode == CameraMode::Buoy,
             hulls: self.hull_poses(),
             colour_scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.displayed, plan, layer)),

@@ -40,7 +40,7 @@ const fn rule(
 /// Rules for all parameters but those of the wave systems. The first rule that applies counts.
 const RULES: &[Rule] = &[
     rule(
-        &["sunby", "sun", "sunaz", "day", "hour", "lat"],
+        &["sunby", "sun", "sunaz", "day", "hour", "lat", "daylight"],
         has_sky_file,
         "The sky from a file has its own sun: turn the sky, or go back to the computed sky.",
         "",
@@ -60,7 +60,7 @@ const RULES: &[Rule] = &[
         "sunby=direction",
     ),
     rule(
-        &["day", "hour", "lat"],
+        &["day", "hour", "lat", "daylight"],
         |p| p.look.sky.sun_placement == SunPlacement::Direction,
         "The sun is placed by direction: set Sun by to date.",
         "sunby=date",

@@ -69,7 +69,7 @@ pub const CAMERA_VIEWS: &[NamedView] = &[
         name: "Into the sun",
         about: "Along the path of glitter.",
         camera: |p| {
-            let [x, up, z] = p.look.sky.sun_direction();
+            let [x, up, z] = p.look.sky.at_time(p.clock.t_s).sun_direction();
             let sun_deg = x.atan2(-z).to_degrees().rem_euclid(360.0);
             Camera {
                 heading_deg: sun_deg.round(),

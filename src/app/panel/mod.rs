@@ -9,6 +9,7 @@ mod share;
 mod spectra;
 mod study;
 mod summary;
+mod sun;
 mod systems;
 pub mod time;
 pub mod touch;
@@ -32,7 +33,7 @@ const NARROW_WINDOW_POINTS: f32 = 640.0;
 /// Shorter side of the window, points, below which the panel is not shown, because its margins would leave no room.
 const MIN_WINDOW_SIDE_FOR_PANEL_POINTS: f32 = 100.0;
 /// Least height of a widget on a touch screen, points.
-const TOUCH_TARGET_POINTS: f32 = 44.0;
+pub const TOUCH_TARGET_POINTS: f32 = 44.0;
 /// Width of the panel's contents in a wide window, points.
 const PANEL_WIDTH_POINTS: f32 = 366.0;
 /// Height of a tab's button, points.
@@ -91,6 +92,10 @@ pub struct Panel {
     link: String,
     /// The named sea that is shown, see [`App::shown_sea_name`](super::App::shown_sea_name).
     shown_sea: chosen::ShownSea,
+    /// Whether the next frame scrolls the list of named seas to the one that is shown.
+    scrolls_to_shown_sea: bool,
+    /// Places of the tabs' buttons in the last frame, in the order of [`Tab::ALL`].
+    tab_places: [Option<egui::Rect>; Tab::ALL.len()],
     /// How pictures are saved.
     pub picture: PictureChoice,
     /// Length of a film, s, if the user has chosen one.
@@ -108,6 +113,31 @@ impl Panel {
         if self.tab_was_chosen { self.tab } else { (!is_narrow).then_some(Tab::Weather) }
     }
 
+    /// Whether the named seas are shown; the arrow keys then choose among them.
+    pub fn shows_seas(&self, ctx: &egui::Context) -> bool {
+        has_room(ctx) && self.open_tab(is_narrow(ctx)) == Some(Tab::Seas)
+    }
+
+    /// Whether the tab with the link and the pictures is open.
+    pub fn shows_sharing(&self, ctx: &egui::Context) -> bool {
+        self.open_tab(is_narrow(ctx)) == Some(Tab::Share)
+    }
+
+    /// Place of the button of the tab of named seas in the window; `None` before the first frame of the panel.
+    pub fn seas_tab(&self) -> Option<egui::Rect> {
+        self.tab_places[Tab::Seas as usize]
+    }
+
+    /// Place of the button of the tab of the weather.
+    pub fn weather_tab(&self) -> Option<egui::Rect> {
+        self.tab_places[Tab::Weather as usize]
+    }
+
+    /// Place of the button of the tab of sharing.
+    pub fn share_tab(&self) -> Option<egui::Rect> {
+        self.tab_places[Tab::Share as usize]
+    }
+
     /// Opens a tab.
     fn open(&mut self, tab: Tab) {
         (self.tab, self.tab_was_chosen) = (Some(tab), true);
@@ -123,6 +153,16 @@ fn is_narrow(ctx: &egui::Context) -> bool {
 fn free_width(ctx: &egui::Context) -> f32 {
     let width = ctx.content_rect().width();
     if is_narrow(ctx) { width } else { width - PANEL_WIDTH_POINTS - 44.0 }
+}
+
+/// The part of `sea` that the panel of a wide window leaves free, at the larger side of the panel.
+pub fn part_beside_panel(sea: egui::Rect, ctx: &egui::Context) -> egui::Rect {
+    let panel = ctx.memory(|m| m.area_rect(egui::Id::unique("panel"))).filter(|_| !is_narrow(ctx));
+    match panel {
+        Some(panel) if panel.center().x > sea.center().x => sea.with_max_x(panel.left()),
+        Some(panel) => sea.with_min_x(panel.right()),
+        None => sea,
+    }
 }
 
 /// Whether the window has room for the panel.
@@ -197,6 +237,7 @@ fn show_tabs(app: &mut App, ui: &mut egui::Ui) {
             let (_, label) = tab.icon_and_label();
             let is_open = open == Some(tab);
             let button = tab_button(ui, tab, is_open, size).on_hover_text(tab.help());
+            app.panel.tab_places[tab as usize] = Some(button.rect);
             if with_accessible_name(button, label).clicked() {
                 (app.panel.tab, app.panel.tab_was_chosen) = ((!is_open).then_some(tab), true);
             }

@@ -111,9 +111,19 @@ fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: 
         value = default;
     }
     if value != before {
-        // A typed value outside the range was clamped, and the slider shows the clamped value.
-        let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.check_value(value) else { return };
-        (field.set)(params, v);
+        set_value(params, field, value);
+    }
+}
+
+/// Sets a parameter to a typed or dragged value. A typed value outside the range is clamped, and the slider shows the
+/// clamped value.
+fn set_value(params: &mut Params, field: &Field, value: f64) {
+    let (Ok(value) | Err(InvalidValue::Clamped(value))) = field.check_value(value) else { return };
+    if field.key == "daylight" {
+        // Another speed of the day leaves the sun where it is at this moment.
+        params.look.sky.set_daylight(value, params.clock.t_s);
+    } else {
+        (field.set)(params, value);
     }
 }
 
@@ -131,8 +141,7 @@ pub fn show_value(
     let editor = ui.add_enabled_ui(is_enabled, |ui| value_editor(field, &mut value, units, ui)).inner;
     explain(ui, editor.labelled_by(label), tr(field.help));
     if value != before {
-        let (Ok(v) | Err(InvalidValue::Clamped(v))) = field.check_value(value) else { return };
-        (field.set)(params, v);
+        set_value(params, field, value);
     }
 }
 

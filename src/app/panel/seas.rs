@@ -2,7 +2,7 @@
 
 use super::super::accessible_names::with_accessible_name;
 use super::super::{App, storage, thumbnails};
-use super::button_with_help;
+use super::{button_with_help, touch};
 use crate::app::language::{say, tr};
 use crate::state::presets::{self, Preset};
 
@@ -53,6 +53,8 @@ impl OwnSeas {
 pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
     let mut chosen = None;
     let shown = app.shown_sea_name();
+    let scrolls = std::mem::take(&mut app.panel.scrolls_to_shown_sea);
+    let top = ui.cursor().top();
     for (index, preset) in presets::built_in().iter().enumerate() {
         let picture = app.thumbnails.image(index, ui.ctx());
         // The first sentence says what one sees; the rest and the source are for those who ask.
@@ -76,26 +78,19 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
         let card = egui::Button::opt_image_and_text(picture, Some(job.into()));
         let card = card.selected(is_shown).min_size(egui::vec2(ui.available_width(), 0.0));
         let card = ui.add(card).on_hover_text(format!("{about}\n{}", preset.source));
+        if is_shown && scrolls {
+            card.scroll_to_me(None);
+        }
         if with_accessible_name(card, &preset.name).clicked() {
             chosen = Some(preset.clone());
         }
     }
-    let mut dropped = None;
-    if !app.own_seas.seas.is_empty() {
-        ui.separator();
-        ui.horizontal_wrapped(|ui| {
-            for preset in &app.own_seas.seas {
-                if button_with_help(ui, &preset.name, &preset.state) {
-                    chosen = Some(preset.clone());
-                }
-                let cross = ui.small_button("×").on_hover_text(tr("Forget this sea."));
-                if with_accessible_name(cross, &say!("Forget {name}", name = preset.name)).clicked() {
-                    dropped = Some(preset.name.clone());
-                }
-            }
-        });
+    let cards = ui.min_rect().with_min_y(top);
+    if let Some(step) = touch::swiped_sideways(ui, cards) {
+        app.open_neighbouring_sea(step);
     }
-    if let Some(preset) = chosen {
+    let (own, dropped) = show_own_seas(&app.own_seas.seas, ui);
+    if let Some(preset) = chosen.or(own) {
         app.open_preset(&preset);
     }
     if let Some(name) = dropped {
@@ -124,6 +119,27 @@ pub fn show_presets(app: &mut App, ui: &mut egui::Ui) {
         }
     });
     ui.weak(tr("Drop a file of seas here to import it."));
+}
+
+/// Adds buttons for the user's own named seas. Returns the sea that the user opens, and the name of the one to forget.
+fn show_own_seas(seas: &[Preset], ui: &mut egui::Ui) -> (Option<Preset>, Option<String>) {
+    let (mut chosen, mut dropped) = (None, None);
+    if seas.is_empty() {
+        return (chosen, dropped);
+    }
+    ui.separator();
+    ui.horizontal_wrapped(|ui| {
+        for preset in seas {
+            if button_with_help(ui, &preset.name, &preset.state) {
+                chosen = Some(preset.clone());
+            }
+            let cross = ui.small_button("×").on_hover_text(tr("Forget this sea."));
+            if with_accessible_name(cross, &say!("Forget {name}", name = preset.name)).clicked() {
+                dropped = Some(preset.name.clone());
+            }
+        }
+    });
+    (chosen, dropped)
 }
 
 /// Adds the button that changes the seed of the random wave phases, and the check box that locks the seed.

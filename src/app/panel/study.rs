@@ -3,7 +3,7 @@
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
 use super::super::plots;
-use super::{MAX_TEXT_CHARS, numbers, rows, seas, share, spectra, systems, text_field};
+use super::{MAX_TEXT_CHARS, numbers, rows, seas, share, spectra, sun, systems, text_field};
 use crate::app::language::{say, tr};
 use crate::state::fields::{FIELDS, Field, Group};
 
@@ -66,7 +66,10 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         header.default_open(searching).open(expand).show(ui, |ui| {
             rows::show_group(&mut app.params, group, &fields, ui);
             match group {
-                Group::Sky if !searching => show_sky_file(app, ui),
+                Group::Sky if !searching => {
+                    sun::show_rise_and_set(&app.params, ui);
+                    show_sky_file(app, ui);
+                }
                 Group::Water if !searching => seas::show_seed_row(app, ui),
                 _ if !searching => systems::show_remove_button(&mut app.params, group, ui),
                 _ => {}

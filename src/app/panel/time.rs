@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::super::accessible_names::{with_accessible_name, with_accessible_value};
-use super::button_with_help;
+use super::{button_with_help, sun};
 use crate::app::language::tr;
 use crate::state::params::Clock;
 
@@ -67,6 +67,7 @@ pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
         with_accessible_value(ui.add(exact), tr("Time in seconds"), t_s)
             .on_hover_text(tr("Simulated time: type where to go."));
     });
+    sun::show_time_lapse(app, ui);
 }
 
 /// Stops the clock, and moves the simulated time forward by `frames` frames of 1/60 s (back if negative).

@@ -1,5 +1,7 @@
 //! Touch in the panel: whether fingers are used, and sliders that leave scrolling to the panel.
 
+/// Distance that a finger moves sideways at least in a swipe, points.
+const SWIPE_DISTANCE_POINTS: f32 = 48.0;
 /// Distance that a finger moves before its direction is judged, points.
 const DIRECTION_DISTANCE_POINTS: f32 = 8.0;
 
@@ -64,4 +66,22 @@ pub fn keep_value_while_scrolling(ui: &egui::Ui, response: &egui::Response, valu
         let down = ui.input(|i| i.pointer.delta().y);
         ui.scroll_with_delta_animation(egui::vec2(0.0, down), egui::style::ScrollAnimation::none());
     }
+}
+
+/// Which way a swipe sideways that began in `area` and has just ended asks to go: 1 to the next one (a swipe to the left),
+/// -1 to the one before. `None` if no such swipe has ended in this frame.
+pub fn swiped_sideways(ui: &egui::Ui, area: egui::Rect) -> Option<isize> {
+    let id = ui.scope_id().with("swipe");
+    let (origin, at) = ui.input(|i| (i.pointer.press_origin(), i.pointer.latest_pos()));
+    if ui.input(|i| i.pointer.primary_down()) {
+        let (origin, at) = (origin?, at?);
+        let begins_here = area.intersect(ui.clip_rect()).contains(origin);
+        if begins_here && ui.ctx().layer_id_at(origin) == Some(ui.layer_id()) {
+            ui.data_mut(|d| d.insert_temp(id, at - origin));
+        }
+        return None;
+    }
+    let moved = ui.data_mut(|d| d.remove_temp::<egui::Vec2>(id))?;
+    let is_swipe = moved.x.abs() >= SWIPE_DISTANCE_POINTS && moved.x.abs() > 2.0 * moved.y.abs();
+    is_swipe.then_some(if moved.x < 0.0 { 1 } else { -1 })
 }

@@ -11,6 +11,14 @@ use crate::state::motion;
 pub fn show_view(app: &mut App, ui: &mut egui::Ui) {
     ui.strong(tr("Look from"));
     show_camera_views(app, ui);
+    if app.visitor.slow_camera.is_allowed() {
+        let mut moves = app.visitor.preferences.slow_camera;
+        let switch = ui.checkbox(&mut moves, tr("Slow camera while nobody touches"));
+        let help = tr("After some seconds without input the view turns a little to and fro. The link stays as it is.");
+        if switch.on_hover_text(help).changed() {
+            app.change_preferences(|preferences| preferences.slow_camera = moves);
+        }
+    }
     ui.add_space(8.0);
     ui.strong(tr("Simulated time"));
     time::show_time_controls(app, ui);

@@ -3,10 +3,11 @@
 use super::super::App;
 use super::super::accessible_names::with_accessible_value;
 use super::super::units::{UnitScale, round_to_significant_digits};
-use super::{rows, touch};
+use super::{button_with_help, rows, sun, touch};
 use crate::app::language::{say, text, tr};
 use crate::state::Params;
 use crate::state::fields::{self, Group};
+use crate::state::look::SunPlacement;
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// Names of the sixteen points of the compass, clockwise from north.
@@ -54,13 +55,22 @@ const SWELL_ROWS: [Row; 3] = [
     Row { key: "tp2", label: text!("Swell period"), meaning: |p| swell_length(p.sea.systems[1].tp_s) },
     Row { key: "dir2", label: text!("Swell from"), meaning: |p| tr(compass_point(p.sea.systems[1].from_deg)).into() },
 ];
-const SKY_ROWS: [Row; 4] = [
+/// The sun by direction.
+const SUN_ROWS: [Row; 2] = [
     Row { key: "sun", label: text!("Sun height"), meaning: |p| tr(time_of_light(p)).into() },
     Row {
         key: "sunaz",
         label: text!("Sun in the"),
-        meaning: |p| tr(compass_point(p.look.sky.sun_elevation_azimuth_deg()[1])).into(),
+        meaning: |p| tr(compass_point(sun::sky_of_now(p).sun_elevation_azimuth_deg()[1])).into(),
     },
+];
+/// The sun by date.
+const DATE_ROWS: [Row; 3] = [
+    Row { key: "hour", label: text!("Solar time"), meaning: hour_of_now },
+    Row { key: "day", label: text!("Day of the year"), meaning: nothing },
+    Row { key: "lat", label: text!("Latitude"), meaning: nothing },
+];
+const SKY_ROWS: [Row; 2] = [
     Row { key: "clouds", label: text!("Clouds"), meaning: nothing },
     Row { key: "cloudcover", label: text!("Cloud cover"), meaning: nothing },
 ];
@@ -75,8 +85,14 @@ fn swell_length(period_s: f64) -> String {
     }
 }
 
+/// The time of the sun's day on a clock, and the light of that time.
+fn hour_of_now(p: &Params) -> String {
+    let [_, hour] = p.look.sky.day_and_hour(p.clock.t_s);
+    format!("{}, {}", sun::clock_text(hour), tr(time_of_light(p)))
+}
+
 fn time_of_light(p: &Params) -> &'static str {
-    match p.look.sky.sun_elevation_azimuth_deg()[0] {
+    match sun::sky_of_now(p).sun_elevation_azimuth_deg()[0] {
         x if x < -12.0 => text!("night"),
         x if x < 0.0 => text!("dusk or dawn"),
         x if x < 10.0 => text!("golden light"),
@@ -101,9 +117,32 @@ pub fn show_weather(app: &mut App, ui: &mut egui::Ui) {
         swell.height_factor = 0.0;
     }
     ui.separator();
+    show_sun(app, ui);
     show_rows(app, ui, &SKY_ROWS);
     ui.separator();
     show_rows(app, ui, &WATER_ROWS);
+}
+
+/// Adds the rows that place the sun, by direction or by date, and the button that changes between the two.
+fn show_sun(app: &mut App, ui: &mut egui::Ui) {
+    let t_s = app.params.clock.t_s;
+    let is_by_date = app.params.look.sky.sun_placement == SunPlacement::Date;
+    show_rows(app, ui, if is_by_date { &DATE_ROWS[..] } else { &SUN_ROWS[..] });
+    if app.params.look.sky.panorama().is_some() {
+        return;
+    }
+    if is_by_date {
+        sun::show_rise_and_set(&app.params, ui);
+        let help = tr("The sun stays where it is, and sliders for its height and direction move it.");
+        if button_with_help(ui, tr("Place the sun by hand"), help) {
+            app.params.look.sky.place_sun_by_direction(t_s);
+        }
+    } else {
+        let help = tr("The sun stays where it is, and sliders for hour, day and latitude move it.");
+        if button_with_help(ui, tr("Place the sun by hour and date"), help) {
+            app.params.look.sky.place_sun_by_date();
+        }
+    }
 }
 
 fn show_rows(app: &mut App, ui: &mut egui::Ui, rows: &[Row]) {

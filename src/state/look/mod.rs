@@ -2,6 +2,7 @@
 //!
 //! A new parameter is one member of a struct in `sky.rs`, `surface.rs` or here; the macro makes its field.
 
+mod day;
 mod sky;
 mod surface;
 

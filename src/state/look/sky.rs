@@ -51,6 +51,9 @@ parameters! {
         hour: f64 = 9.0 => ("hour", "Solar time", "h", number(0.0, 24.0)),
         /// With sunby=date: geographic latitude, north positive.
         latitude_deg: f64 = 45.0 => ("lat", "Latitude", "deg", number(-90.0, 90.0)),
+        /// With sunby=date: hours by which the day runs on in each minute of the simulated time; `hour` is that at time 0.
+        /// At 4 a day takes six minutes.
+        daylight_h_per_min: f64 = 0.0 => ("daylight", "Running day", "h/min", number(0.0, 60.0), "off"),
         /// Tint of the sunlight above the atmosphere, and so of all daylight; white is our sun.
         sun_colour: f64 = WHITE_RGB => ("suncolour", "Sun colour", "", Colour),
         /// Angular diameter of the sun at a distance of one astronomical unit; it does not change the irradiance.

@@ -1,0 +1,90 @@
+//! What the app knows of its visitor: preferences that belong to the visitor and not to the sea, so that no link carries
+//! them, kept for the next visit; and what is shown to who is new, or away.
+
+use super::first_steps::FirstSteps;
+use super::slow_camera::SlowCamera;
+use super::{App, storage};
+
+/// What the app knows of its visitor.
+#[derive(Default)]
+pub struct Visitor {
+    pub preferences: Preferences,
+    /// Whether changes of the preferences are stored.
+    stores_preferences: bool,
+    pub first_steps: FirstSteps,
+    pub slow_camera: SlowCamera,
+    /// Whether the pointer is in the window but not over the sea, as in the panel.
+    pub pointer_is_off_sea: bool,
+}
+
+/// Preferences of the visitor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Preferences {
+    /// Whether the visitor has seen or skipped the first steps.
+    pub knows_first_steps: bool,
+    /// Whether the camera may move slowly while nobody touches anything.
+    pub slow_camera: bool,
+}
+
+impl Default for Preferences {
+    fn default() -> Self {
+        Self { knows_first_steps: false, slow_camera: true }
+    }
+}
+
+impl Preferences {
+    /// Reads a text as [`Self::text`] writes it. What is missing or cannot be read has its default value.
+    fn parse(text: &str) -> Self {
+        let mut preferences = Self::default();
+        for line in text.lines() {
+            match line.trim().split_once('=') {
+                Some(("knows-first-steps", value)) => preferences.knows_first_steps = value == "1",
+                Some(("slow-camera", value)) => preferences.slow_camera = value != "0",
+                _ => {}
+            }
+        }
+        preferences
+    }
+
+    fn text(&self) -> String {
+        let [knows, slow] = [self.knows_first_steps, self.slow_camera].map(u8::from);
+        format!("knows-first-steps={knows}\nslow-camera={slow}\n")
+    }
+}
+
+impl App {
+    /// Reads the stored preferences, and stores every change of them from now on. Without this call, the app has the
+    /// default preferences and stores nothing.
+    pub fn load_preferences(&mut self) {
+        self.visitor.preferences = Preferences::parse(&storage::load_preferences());
+        self.visitor.stores_preferences = true;
+    }
+
+    /// Changes the preferences, and stores them for the next visit.
+    pub(in crate::app) fn change_preferences(&mut self, change: impl FnOnce(&mut Preferences)) {
+        let visitor = &mut self.visitor;
+        change(&mut visitor.preferences);
+        if visitor.stores_preferences
+            && let Err(reason) = storage::store_preferences(&visitor.preferences.text())
+        {
+            // They hold until the program ends; whoever switches storage off knows that nothing is kept.
+            log::warn!("the preferences are not kept: {reason}");
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_stored_is_read_and_nonsense_is_not() {
+        for (knows_first_steps, slow_camera) in [(false, false), (false, true), (true, false), (true, true)] {
+            let preferences = Preferences { knows_first_steps, slow_camera };
+            assert_eq!(Preferences::parse(&preferences.text()), preferences);
+        }
+        for text in ["", "\0\u{1}", "knows-first-steps", "slow-camera=", "other=1\nknows-first-steps=yes"] {
+            assert_eq!(Preferences::parse(text), Preferences::default(), "{text:?}");
+        }
+    }
+}
