@@ -1,7 +1,7 @@
 //! Storage of the web page: downloads for saved files, and the browser's local storage for the user's own named seas.
 //! The functions are the same as in desktop.rs.
 
-use super::{DAMAGED_SEAS_FILE_NAME, SEAS_FILE_NAME};
+use super::{DAMAGED_SEAS_FILE_NAME, PANEL_PLACE_FILE_NAME, SEAS_FILE_NAME};
 use std::path::Path;
 use wasm_bindgen::{JsCast as _, JsValue};
 
@@ -23,7 +23,20 @@ pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, 
 
 /// Loads the stored list of the user's own named seas as text; empty if there is none.
 pub fn load_seas() -> String {
-    storage().and_then(|s| s.get_item(SEAS_FILE_NAME).ok().flatten()).unwrap_or_default()
+    load_item(SEAS_FILE_NAME)
+}
+
+/// Loads the stored text about place and width of the panel; empty if there is none.
+pub fn load_panel_place() -> String {
+    load_item(PANEL_PLACE_FILE_NAME)
+}
+
+/// Stores the text about place and width of the panel in place of the old one. The folder is ignored.
+///
+/// # Errors
+/// One sentence, if the browser refuses to store it.
+pub fn store_panel_place(_folder: Option<&Path>, text: &str) -> Result<(), String> {
+    store_item(PANEL_PLACE_FILE_NAME, text)
 }
 
 /// Copies the stored list of the user's own named seas to a second key of the browser's storage, over an older copy.
@@ -37,6 +50,10 @@ pub fn back_up_damaged_seas() -> Result<(), String> {
 /// Stores the list of the user's own named seas, given as text, in place of the old list.
 pub fn store_seas(text: &str) -> Result<(), String> {
     store_item(SEAS_FILE_NAME, text)
+}
+
+fn load_item(key: &str) -> String {
+    storage().and_then(|s| s.get_item(key).ok().flatten()).unwrap_or_default()
 }
 
 fn store_item(key: &str, text: &str) -> Result<(), String> {

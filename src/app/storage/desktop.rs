@@ -1,6 +1,6 @@
 //! Storage of the desktop window: files in the user's folders.
 
-use super::{DAMAGED_SEAS_FILE_NAME, SEAS_FILE_NAME};
+use super::{DAMAGED_SEAS_FILE_NAME, PANEL_PLACE_FILE_NAME, SEAS_FILE_NAME};
 use std::io::{ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -34,10 +34,25 @@ fn numbered_file_names(name: &str) -> impl Iterator<Item = String> {
 
 /// Loads the stored list of the user's own named seas as text; empty if there is none. Invalid UTF-8 is replaced.
 pub fn load_seas() -> String {
-    seas_path().ok().and_then(|path| read_seas(&path)).unwrap_or_default()
+    seas_path().ok().and_then(|path| read_text(&path)).unwrap_or_default()
 }
 
-fn read_seas(path: &Path) -> Option<String> {
+/// Loads the stored text about place and width of the panel; empty if there is none.
+pub fn load_panel_place() -> String {
+    data_path(PANEL_PLACE_FILE_NAME).ok().and_then(|path| read_text(&path)).unwrap_or_default()
+}
+
+/// Stores the text about place and width of the panel in place of the old one: in `folder` if the app has a folder of its
+/// own for files, else in the folder of the program's data.
+///
+/// # Errors
+/// One sentence with the reason, if the file cannot be written.
+pub fn store_panel_place(folder: Option<&Path>, text: &str) -> Result<(), String> {
+    let path = folder.map_or_else(|| data_path(PANEL_PLACE_FILE_NAME), |f| Ok(f.join(PANEL_PLACE_FILE_NAME)))?;
+    store_text(&path, text)
+}
+
+fn read_text(path: &Path) -> Option<String> {
     let mut bytes = Vec::new();
     // Reads one byte more than the limit, so that the parser notices a file that is too long.
     let most = crate::state::presets::MAX_FILE_BYTES as u64 + 1;
@@ -65,21 +80,29 @@ fn copy_damaged_file(path: &Path) -> Result<(), String> {
 /// # Errors
 /// One sentence with the reason, if the file cannot be written.
 pub fn store_seas(text: &str) -> Result<(), String> {
-    let path = seas_path()?;
+    store_text(&seas_path()?, text)
+}
+
+fn store_text(path: &Path, text: &str) -> Result<(), String> {
     let fault = |e: std::io::Error| format!("cannot write {}: {e}", path.display());
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).map_err(fault)?;
     }
     // The old file stays until the new one is complete, so that a full disk loses nothing.
     let new = path.with_extension("new");
-    std::fs::write(&new, text).and_then(|()| std::fs::rename(&new, &path)).map_err(fault)
+    std::fs::write(&new, text).and_then(|()| std::fs::rename(&new, path)).map_err(fault)
 }
 
 fn seas_path() -> Result<PathBuf, String> {
+    data_path(SEAS_FILE_NAME)
+}
+
+/// Path of a file in the folder of the program's data.
+fn data_path(name: &str) -> Result<PathBuf, String> {
     let given = std::env::var_os("SEASTATE_DATA_DIR").map(PathBuf::from);
     let usual = || directories::ProjectDirs::from("", "", "seastate").map(|d| d.data_dir().to_owned());
     let folder = given.or_else(usual).ok_or("there is no folder for the program's data")?;
-    Ok(folder.join(SEAS_FILE_NAME))
+    Ok(folder.join(name))
 }
 
 #[cfg(test)]
@@ -91,9 +114,9 @@ mod tests {
         let folder = std::env::temp_dir().join(format!("seastate-seas-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder");
         let path = folder.join(SEAS_FILE_NAME);
-        assert_eq!(read_seas(&path), None);
+        assert_eq!(read_text(&path), None);
         std::fs::write(&path, b"[a]\nstate: wind=3\n[b]\nabout: \xff\xfe\nstate: wind=4\n[c]\n").expect("a file");
-        let (seas, notices) = crate::state::presets::read(&read_seas(&path).expect("text"));
+        let (seas, notices) = crate::state::presets::read(&read_text(&path).expect("text"));
         assert_eq!((seas.len(), notices.len()), (2, 1));
         copy_damaged_file(&path).expect("a copy");
         std::fs::write(&path, "").expect("a file");
@@ -102,7 +125,7 @@ mod tests {
         assert!(std::fs::read(folder.join("seas-damaged-2.txt")).expect("the second").is_empty());
         // A file over the size limit gives a notice; it is not cut silently.
         std::fs::write(&path, "[a]\nstate: wind=3\n".repeat(100_000)).expect("a file");
-        let (_, notices) = crate::state::presets::read(&read_seas(&path).expect("text"));
+        let (_, notices) = crate::state::presets::read(&read_text(&path).expect("text"));
         assert!(notices.iter().any(|n| n.contains("KiB")), "{notices:?}");
         std::fs::remove_dir_all(&folder).expect("the folder is removed");
     }

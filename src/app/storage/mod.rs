@@ -9,12 +9,14 @@ mod browser;
 mod desktop;
 
 #[cfg(target_arch = "wasm32")]
-pub use browser::{back_up_damaged_seas, load_seas, save, store_seas};
+pub use browser::{back_up_damaged_seas, load_panel_place, load_seas, save, store_panel_place, store_seas};
 #[cfg(not(target_arch = "wasm32"))]
-pub use desktop::{back_up_damaged_seas, load_seas, save, store_seas};
+pub use desktop::{back_up_damaged_seas, load_panel_place, load_seas, save, store_panel_place, store_seas};
 
 /// Where the user's own named seas are stored: file name on the desktop, key in the browser's local storage.
 const SEAS_FILE_NAME: &str = "seas.txt";
 /// Where a list of the user's seas that contains errors is copied before it is overwritten: file name on the desktop,
 /// key in the browser's local storage.
 const DAMAGED_SEAS_FILE_NAME: &str = "seas-damaged.txt";
+/// Where place and width of the panel are stored: file name on the desktop, key in the browser's local storage.
+const PANEL_PLACE_FILE_NAME: &str = "panel.txt";
