@@ -7,8 +7,8 @@ use common::harness::open;
 use egui::epaint::{ClippedShape, Shape};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use seastate::app::{App, SafeArea};
 use seastate::app::language::tr;
+use seastate::app::{App, SafeArea};
 use seastate::state::params::Language;
 
 /// Sizes of windows, points, and pixels per point.
@@ -149,7 +149,8 @@ fn the_panel_moves_and_changes_its_width_without_covering_anything() {
         assert!(usual.center().x > 0.5 * size[0], "{usual}");
         let check = |harness: &mut Harness<'static, App>, what: &str| {
             let window = harness.ctx.content_rect();
-            let found: Vec<_> = panel_outside(harness).into_iter().chain(faults(&harness.output().shapes, window)).collect();
+            let found: Vec<_> =
+                panel_outside(harness).into_iter().chain(faults(&harness.output().shapes, window)).collect();
             assert!(found.is_empty(), "{size:?}, {what}: {found:?}");
             let summary = harness.ctx.memory(|m| m.area_rect(egui::Id::unique("summary"))).expect("a summary");
             assert!(!summary.intersects(panel(harness)), "{size:?}, {what}: {summary} {}", panel(harness));
@@ -194,6 +195,10 @@ fn the_safe_area_keeps_text_away_from_the_edges() {
         harness.ctx.all_styles_mut(|style| style.animation_time = 0.0);
         let whole = harness.state().picture_size();
         harness.state_mut().set_safe_area(safe);
+        // The harness has no host that calls the hook.
+        let (ctx, mut input) = (harness.ctx.clone(), egui::RawInput::default());
+        eframe::App::raw_input_hook(harness.state_mut(), &ctx, &mut input);
+        harness.input_mut().safe_area_insets = input.safe_area_insets;
         harness.run_steps(4);
         let inside = egui::Rect::from_min_max(
             egui::pos2(safe.left, safe.top),

@@ -26,7 +26,9 @@ const PATTERNS: &[&str] = &[
     text!("{count} line(s) before the first [name]: ignored"),
     text!("more than {limit} seas: {count} ignored"),
     text!("the file is longer than {size} KiB: the rest was ignored"),
-    text!("the sky \"{name}\" is not loaded, the computed sky is shown: drop the file on the sea, or name it with --sky"),
+    text!(
+        "the sky \"{name}\" is not loaded, the computed sky is shown: drop the file on the sea, or name it with --sky"
+    ),
     text!("the short-wave fade removes all waves: it is longer than they are"),
     text!("the short-wave fade removes all waves of a system whose height is set (hs)"),
     text!("a significant wave height of {height} m is too high for {depth} m of water: capped at {limit} m"),
@@ -40,7 +42,9 @@ const PATTERNS: &[&str] = &[
     text!("the {name} wave system is off: set {key} to switch it on"),
     text!("the sea is fully developed after {fetch} km (spectrum=pm); jonswap and tma keep growing"),
     text!("karaev covers g F / U^2 from {least} to {most}: a fetch of {fetch} km is used"),
-    text!("spectrum=measured needs a buoy's file: drop one here or give it with --spectrum; until then jonswap is used"),
+    text!(
+        "spectrum=measured needs a buoy's file: drop one here or give it with --spectrum; until then jonswap is used"
+    ),
     text!("{count} pixels were negative, infinite or not a number: they were corrected"),
     text!("the image was reduced to {width} x {height} pixels"),
     text!("the image shows no compact sun: only the sky lights the sea"),

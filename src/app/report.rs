@@ -11,8 +11,7 @@ impl App {
         #[cfg(target_arch = "wasm32")]
         rows.push(("browser", self.browser.clone()));
         let ([width, height], quality) = (self.picture_size(), self.quality.describe());
-        let picture =
-            say!("{width} x {height} pixels, {quality}", width = width, height = height, quality = quality);
+        let picture = say!("{width} x {height} pixels, {quality}", width = width, height = height, quality = quality);
         rows.push((text!("picture"), picture));
         let (points, cascades) = (self.params_to_draw().grid.n, self.derived.plan.cascades.len());
         let sea = say!("{points} x {points} points in {cascades} cascades", points = points, cascades = cascades);

@@ -21,6 +21,8 @@ pub struct Handle<'a> {
     pub step: f64,
     /// Keys that go to the next smaller and to the next greater place.
     pub keys: [Key; 2],
+    /// Whether the bar lies, instead of standing upright.
+    pub lies: bool,
     /// Pointer over the handle.
     pub cursor: egui::CursorIcon,
 }
@@ -51,8 +53,7 @@ impl Handle<'_> {
         let has_focus = response.has_focus();
         if has_focus {
             let vertical_arrows = self.keys.contains(&Key::ArrowUp);
-            let filter =
-                EventFilter { vertical_arrows, horizontal_arrows: !vertical_arrows, ..EventFilter::default() };
+            let filter = EventFilter { vertical_arrows, horizontal_arrows: !vertical_arrows, ..EventFilter::default() };
             ui.memory_mut(|m| m.set_focus_lock_filter(response.id, filter));
         }
         ui.input(|i| {
@@ -69,11 +70,12 @@ impl Handle<'_> {
         })
     }
 
-    /// Draws the bar across the direction in which the handle moves, and a frame around a handle with the keyboard.
+    /// Draws the bar, and a frame around a handle with the keyboard.
     fn paint(&self, ui: &egui::Ui, response: &egui::Response) {
         let visuals = ui.style().interact(response);
-        let across = if self.keys.contains(&Key::ArrowUp) { BAR_POINTS } else { [BAR_POINTS[1], BAR_POINTS[0]] };
-        let bar = egui::Rect::from_center_size(response.rect.center(), across.into());
+        let [length, thickness] = BAR_POINTS;
+        let size = if self.lies { [length, thickness] } else { [thickness, length] };
+        let bar = egui::Rect::from_center_size(response.rect.center(), size.into());
         ui.painter().rect_filled(bar, 2.0, visuals.fg_stroke.color.gamma_multiply(0.7));
         if response.has_focus() {
             let stroke = ui.visuals().selection.stroke;

@@ -273,7 +273,8 @@ fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
     let total_width = ui.available_width();
     let action = |ui: &mut egui::Ui, enabled: bool, icon: &str, name: &str, help: &str| {
         let gaps = ui.spacing().item_spacing.x * (ACTION_COUNT - 1.0);
-        let width = ((total_width - gaps) / ACTION_COUNT).min(40.0);
+        let most = if is_narrow(ui.ctx()) { 80.0 } else { 40.0 };
+        let width = ((total_width - gaps) / ACTION_COUNT).min(most);
         let size = egui::vec2(width, ui.spacing().interact_size.y.max(28.0));
         let button = egui::Button::new(egui::RichText::new(icon).size(17.0)).frame_when_inactive(false).min_size(size);
         ui.spacing_mut().button_padding.x = 0.0;

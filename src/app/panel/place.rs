@@ -88,7 +88,11 @@ impl Place {
 /// The part of the window that neither the panel nor the sheet covers.
 pub fn free_part(app: &App, ctx: &egui::Context) -> egui::Rect {
     let content = ctx.content_rect();
-    if is_narrow(ctx) { content.intersect(app.panel.sea.unwrap_or(content)) } else { app.panel.place.free_part(content) }
+    if is_narrow(ctx) {
+        content.intersect(app.panel.sea.unwrap_or(content))
+    } else {
+        app.panel.place.free_part(content)
+    }
 }
 
 /// Adds the handle at the panel's top, which moves the panel to the other edge of the window.
@@ -102,6 +106,7 @@ pub fn show_grip(app: &mut App, ui: &mut egui::Ui) {
         range: [0.0, 1.0],
         step: 1.0,
         keys: [Key::ArrowLeft, Key::ArrowRight],
+        lies: true,
         cursor: egui::CursorIcon::Grab,
     };
     let (response, chosen) = handle.show(ui, rect, egui::Id::unique("side of the panel"));
@@ -129,7 +134,10 @@ pub fn show_grip(app: &mut App, ui: &mut egui::Ui) {
 pub fn show_edge(app: &mut App, ui: &mut egui::Ui) {
     let content = ui.ctx().content_rect();
     let (panel, is_left) = (ui.min_rect(), app.panel.place.is_left);
-    let x = if is_left { panel.right() } else { panel.left() };
+    // In the margin of the window, so that the bar covers no text.
+    let out = 0.5 * ui.style().spacing.window_margin.leftf();
+    ui.set_clip_rect(ui.clip_rect().expand(2.0 * out));
+    let x = if is_left { panel.right() + out } else { panel.left() - out };
     let rect = egui::Rect::from_center_size(egui::pos2(x, panel.center().y), egui::vec2(HANDLE_POINTS, panel.height()));
     let width = app.panel.place.width(content.width());
     let most = (content.width() - LEAST_FREE_POINTS).clamp(WIDTH_RANGE_POINTS[0], WIDTH_RANGE_POINTS[1]);
@@ -140,6 +148,7 @@ pub fn show_edge(app: &mut App, ui: &mut egui::Ui) {
         range: [f64::from(WIDTH_RANGE_POINTS[0]), f64::from(most)],
         step: f64::from(WIDTH_STEP_POINTS),
         keys: if is_left { [Key::ArrowLeft, Key::ArrowRight] } else { [Key::ArrowRight, Key::ArrowLeft] },
+        lies: false,
         cursor: egui::CursorIcon::ResizeHorizontal,
     };
     let (response, chosen) = handle.show(ui, rect, egui::Id::unique("width of the panel"));

@@ -4,8 +4,8 @@
 use super::super::accessible_names::with_accessible_name;
 use super::super::{App, icons};
 use super::handle::Handle;
-use super::{Tab, enlarge_for_touch, has_room, is_narrow, show_action_buttons, show_notices, show_tab, show_tabs};
 use super::{TOUCH_TARGET_POINTS, weather};
+use super::{Tab, enlarge_for_touch, has_room, is_narrow, show_action_buttons, show_notices, show_tab, show_tabs};
 use crate::app::language::tr;
 use egui::Key;
 
@@ -112,10 +112,9 @@ pub fn show_bottom_sheet(app: &mut App, ui: &mut egui::Ui) {
         egui::Frame::new().fill(ui.visuals().window_fill).inner_margin(margin)
     };
     let (tabs, body) = (bar(8, 4), bar(14, 0));
-    let tabs = tabs.inner_margin(tabs.inner_margin + egui::Margin {
-        bottom: (window.bottom() - content.bottom()) as i8,
-        ..egui::Margin::ZERO
-    });
+    let tabs = tabs.inner_margin(
+        tabs.inner_margin + egui::Margin { bottom: (window.bottom() - content.bottom()) as i8, ..egui::Margin::ZERO },
+    );
     let panel = |name: &'static str| egui::Panel::bottom(name).resizable(false).show_separator_line(false);
     let before = window.height();
     panel("tabs").frame(tabs).show(ui, |ui| show_tabs(app, ui));
@@ -194,13 +193,15 @@ fn show_handle(app: &mut App, at: impl Fn(SheetHeight) -> f32, ui: &mut egui::Ui
         range: [0.0, 2.0],
         step: 1.0,
         keys: [Key::ArrowDown, Key::ArrowUp],
+        lies: true,
         cursor: egui::CursorIcon::ResizeVertical,
     };
     let (rect, _) = ui.allocate_exact_size(ui.available_size(), egui::Sense::hover());
     let (response, chosen) = handle.show(ui, rect, egui::Id::unique("handle of the sheet"));
     let mut chosen = chosen.map(|value| SheetHeight::ALL[value.round() as usize]);
     if response.clicked() {
-        chosen = Some(if height == SheetHeight::Full { SheetHeight::Closed } else { SheetHeight::ALL[height as usize + 1] });
+        chosen =
+            Some(if height == SheetHeight::Full { SheetHeight::Closed } else { SheetHeight::ALL[height as usize + 1] });
     }
     if response.dragged() {
         if !open {

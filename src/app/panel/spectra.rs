@@ -1,9 +1,9 @@
 //! The list of spectra in an opened file that holds several times or places.
 
 use super::super::App;
-use crate::app::language::{local_number, say, tr};
 use super::super::accessible_names::with_accessible_name;
 use super::Tab;
+use crate::app::language::{local_number, say, tr};
 use crate::files::measured::SpectrumList;
 
 /// Greatest height of the list, points.

@@ -57,7 +57,12 @@ fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
             let (east, south) = (side(east, [tr("east"), tr("west")]), side(south, [tr("south"), tr("north")]));
             ui.label(format!("{} at {east}, {south}: {}", float.kind.word(), metres.format(height, 2)));
             let cross = ui.small_button("×").on_hover_text(tr("Lifts it out of the water."));
-            if with_accessible_name(cross, &say!("Lift {object} {number}", object = tr(float.kind.word()), number = i + 1)).clicked() {
+            if with_accessible_name(
+                cross,
+                &say!("Lift {object} {number}", object = tr(float.kind.word()), number = i + 1),
+            )
+            .clicked()
+            {
                 lifted = Some(i);
             }
         });
