@@ -16,7 +16,7 @@
 //!   height of the sea at a point ([`point::heights`]), without a GPU.
 //! - `files`: readers of sky files, and of pictures that carry a state string.
 //! - `gpu`: the simulation and the picture on a wgpu device of the caller (`gpu`, `shaders`, `sim`, `render`, `ocean`).
-//! - `app`: the eframe app of the page and the window (`app`, `bench`).
+//! - `app`: the eframe app of the page and the window (`app`, `bench`, `governor`).
 //! - `desktop` (default): the laboratory and the command line (`lab`, `cli`).
 
 #[cfg(feature = "app")]
@@ -26,6 +26,8 @@ pub mod bench;
 #[cfg(all(feature = "desktop", not(target_arch = "wasm32")))]
 pub mod cli;
 pub mod files;
+#[cfg(feature = "app")]
+pub mod governor;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 #[cfg(all(feature = "desktop", not(target_arch = "wasm32")))]

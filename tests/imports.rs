@@ -19,6 +19,7 @@ const FORBIDDEN: &[(&str, &[&str])] = &[
     ("render", NO_WINDOW),
     ("ocean", NO_WINDOW),
     ("bench", NO_WINDOW),
+    ("governor", NO_GPU),
     ("lab", NO_WINDOW),
     ("cli", NO_WINDOW),
 ];

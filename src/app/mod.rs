@@ -6,7 +6,6 @@ mod caption;
 mod derived;
 pub mod device_loss;
 mod film;
-mod governor;
 mod gpu_errors;
 mod history;
 mod icons;

@@ -1,7 +1,7 @@
 //! Adaptive quality: a machine that is too slow draws fewer pixels, and after that a smaller FFT.
 
-use super::governor::Governor;
 use crate::app::language::{say, tr};
+use crate::governor::Governor;
 use crate::state::params::{Detail, Grid, Screen};
 
 /// Lowest factor by which adaptive quality scales the picture's width and height on a hardware GPU.
