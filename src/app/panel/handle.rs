@@ -65,7 +65,7 @@ impl Handle<'_> {
             let pressed = |key| if has_focus { i.num_presses(key) } else { 0 };
             let less = asked(Action::Decrement) + pressed(self.keys[0]);
             let more = asked(Action::Increment) + pressed(self.keys[1]);
-            let stepped = (less != more).then(|| self.value + self.step * (more as f64 - less as f64));
+            let stepped = (less != more).then_some(self.value + self.step * (more as f64 - less as f64));
             set.or(stepped)
         })
     }
