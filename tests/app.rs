@@ -620,20 +620,99 @@ fn the_sheet_of_a_phone_opens_and_closes_with_a_tap_and_leaves_the_sea_visible()
     let mut harness = open_in("wind=8&n=64&pause=1", [390.0, 844.0]);
     assert!(harness.query_by_label("Undo").is_none(), "the sea comes first");
     let closed = harness.state().picture_size();
+    assert!(f64::from(closed[1]) > 0.8 * 844.0, "{closed:?}");
     for _ in 0..2 {
         open_tab(&mut harness, "Weather");
+        harness.run_steps(30);
         // The widgets of the sheet are at least 44 points high, so that fingers hit them.
         for label in ["Weather", "Undo", "Reset", "Beaufort", "Wind speed"] {
             let rect = harness.get_by_label(label).rect();
             assert!(rect.height() >= 44.0 && rect.top() > 0.5 * 844.0, "{label}: {rect:?}");
         }
-        // The whole sea is drawn above the sheet.
+        // The whole sea is drawn above the sheet, in at least half of the window.
         let open = harness.state().picture_size();
-        assert!(open[0] == closed[0] && 2 * open[1] > closed[1] && open[1] < closed[1] - 300, "{open:?} {closed:?}");
+        assert!(open[0] == closed[0] && open[1] >= 422 && open[1] < closed[1] - 250, "{open:?} {closed:?}");
         open_tab(&mut harness, "Weather");
+        harness.run_steps(30);
         assert!(harness.query_by_label("Undo").is_none());
         assert_eq!(harness.state().picture_size(), closed);
     }
+}
+
+#[test]
+fn the_handle_of_the_sheet_is_dragged_tapped_and_moved_by_keys() {
+    let mut harness = open_in("wind=8&n=64&pause=1", [390.0, 844.0]);
+    let handle = "Height of the sheet";
+    let sea = |harness: &Harness<'_, App>| harness.state().picture_size()[1];
+    let closed = sea(&harness);
+    // Keys: one height after the other, and back.
+    harness.get_by_label(handle).focus();
+    harness.run_steps(2);
+    let mut heights = vec![closed];
+    for key in [egui::Key::ArrowUp, egui::Key::ArrowUp, egui::Key::ArrowDown, egui::Key::ArrowDown] {
+        harness.key_press(key);
+        harness.run_steps(40);
+        heights.push(sea(&harness));
+    }
+    let [third, full] = [heights[1], heights[2]];
+    assert!(closed > third + 250 && third > full + 250 && full >= 100, "{heights:?}");
+    assert_eq!(heights, [closed, third, full, third, closed]);
+    // Taps: open, open further, close.
+    for want in [third, full, closed] {
+        harness.get_by_label(handle).click();
+        harness.run_steps(40);
+        assert_eq!(sea(&harness), want);
+    }
+    // A slow drag follows the finger, and the sheet goes on to the nearest height.
+    let from = harness.get_by_label(handle).rect().center();
+    harness.drag_at(from);
+    harness.run_steps(2);
+    for way in [20.0, 100.0, 180.0, 220.0] {
+        harness.hover_at(from - egui::vec2(0.0, way));
+        harness.run_steps(20);
+    }
+    let held = sea(&harness);
+    assert!(held.abs_diff(closed - 220) < 30, "{held} of {closed}");
+    harness.drop_at(from - egui::vec2(0.0, 220.0));
+    harness.run_steps(40);
+    assert_eq!(sea(&harness), third);
+    harness.get_by_label("Beaufort");
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+}
+
+#[test]
+fn a_held_device_turns_the_view_only_after_the_user_has_asked_for_it() {
+    let mut harness = open_in("wind=8&n=64&pause=1&heading=200&pitch=-10", [390.0, 844.0]);
+    let view = |harness: &Harness<'_, App>| {
+        let camera = params(harness).camera;
+        [camera.heading_deg, camera.pitch_deg]
+    };
+    open_tab(&mut harness, "View");
+    harness.run_steps(30);
+    assert!(harness.query_by_label("Tilt to look").is_none(), "this device has no sensors");
+    harness.state_mut().offer_tilt();
+    harness.run_steps(2);
+    harness.state_mut().follow_tilt([0.0, 95.0, 0.0]);
+    harness.run_steps(2);
+    assert_eq!(view(&harness), [200.0, -10.0], "nothing moves unasked");
+    harness.get_by_label("Tilt to look").click();
+    harness.run_steps(3);
+    harness.state_mut().follow_tilt([0.0, 95.0, 0.0]);
+    harness.state_mut().follow_tilt([350.0, 95.0, 0.0]);
+    harness.run_steps(2);
+    assert_eq!(view(&harness), [210.0, 5.0]);
+    harness.get_by_label("Tilt to look").click();
+    harness.run_steps(3);
+    assert_eq!(view(&harness), [200.0, -10.0], "switched off, the view returns");
+    // Refused by the browser: the view stays, and a message says why.
+    harness.get_by_label("Tilt to look").click();
+    harness.run_steps(3);
+    harness.state_mut().refuse_tilt();
+    harness.run_steps(3);
+    harness.get_by_label("The browser does not tell the page how the device is held.");
+    harness.state_mut().follow_tilt([350.0, 95.0, 0.0]);
+    harness.run_steps(2);
+    assert_eq!(view(&harness), [200.0, -10.0]);
 }
 
 #[test]

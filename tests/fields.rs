@@ -62,6 +62,7 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("fogstart", "fog=2", "500"),
     ("fogfalloff", "fog=2", "300"),
     ("fogheight", "fog=2", "200"),
+    ("fogcolour", "fog=2", "d09050"),
     ("skyturn", "sky=made-up.hdr", ""),
     ("skygain", "sky=made-up.hdr", ""),
     ("viewcascade", "", "2"),

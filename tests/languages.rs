@@ -140,3 +140,111 @@ fn fonts_have_every_character() {
         assert!(missing.is_empty(), "{}: no glyphs for {missing}", language.word());
     }
 }
+
+/// The content of an HTML element as words.js names it: child elements are numbered, and code stays out.
+fn page_template(content: &str) -> String {
+    let (mut text, mut rest, mut number) = (String::new(), content, 0);
+    while let Some((before, tag)) = rest.split_once('<') {
+        let name: String = tag.chars().take_while(char::is_ascii_alphanumeric).collect();
+        let (inner, after) =
+            tag.split_once('>').and_then(|(_, t)| t.split_once(&format!("</{name}>"))).expect("an end");
+        number += 1;
+        text.push_str(before);
+        text.push_str(&if name == "code" { format!("<{number}/>") } else { format!("<{number}>{inner}</{number}>") });
+        rest = after;
+    }
+    (text + rest).split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The texts of the page that scripts can translate: not those that are shown where no script of the page runs.
+fn page_texts() -> BTreeSet<String> {
+    let html = fs::read_to_string("web/index.html").expect("the page");
+    let body = html.split_once("<body>").expect("a body").1;
+    let without = |text: &str, start: &str, end: &str| {
+        let pieces = text.split(start).enumerate();
+        pieces.map(|(i, t)| if i == 0 { t } else { t.split_once(end).expect("an end").1 }).collect::<String>()
+    };
+    let mut body = without(body, "<!--", "-->");
+    for (start, end) in [
+        ("<noscript>", "</noscript>"),
+        ("<p id=\"unbooted\">", "</p>"),
+        ("<section data-rung=\"file\"", "</section>"),
+        ("<section data-rung=\"old\"", "</section>"),
+    ] {
+        body = without(&body, start, end);
+    }
+    let mut texts = BTreeSet::new();
+    for name in ["h2", "p", "summary", "button"] {
+        for after in body.split(&format!("<{name}")).skip(1).filter(|t| t.starts_with([' ', '>'])) {
+            let (content, _) = after.split_once(&format!("</{name}>")).expect("an end");
+            texts.insert(page_template(content.split_once('>').expect("a tag").1));
+        }
+    }
+    for name in [" aria-label=\"", " alt=\""] {
+        texts.extend(body.split(name).skip(1).map(|t| t.split_once('"').expect("an end").0.to_owned()));
+    }
+    let boot = fs::read_to_string("web/boot.js").expect("the page's script");
+    for marker in ["say('", "seastateWords('"] {
+        texts.extend(boot.split(marker).skip(1).map(|t| t.split_once('\'').expect("an end").0.to_owned()));
+    }
+    texts.remove("");
+    texts
+}
+
+/// The numbered elements of a text of the page.
+fn numbered(text: &str) -> BTreeSet<&str> {
+    let marks = text.split('<').skip(1).filter_map(|rest| rest.split_once('>'));
+    marks.map(|(mark, _)| mark).collect()
+}
+
+#[test]
+fn every_language_has_the_texts_of_the_page() {
+    let english = page_texts();
+    assert!(english.len() > 30, "{english:?}");
+    for (language, _) in languages() {
+        let path = format!("assets/languages/page-{}.json", language.word());
+        let text = fs::read_to_string(&path).expect("a language file of the page");
+        let translations: Translations = serde_json::from_str(&text).unwrap_or_else(|e| panic!("{path}: {e}"));
+        let missing: Vec<_> = english.iter().filter(|e| !translations.contains_key(*e)).collect();
+        let needless: Vec<_> = translations.keys().filter(|key| !english.contains(*key)).collect();
+        assert!(missing.is_empty() && needless.is_empty(), "{path}: missing {missing:#?}, not used {needless:#?}");
+        for (text, translation) in &translations {
+            assert_eq!(places(text), places(translation), "{path}: {text}");
+            assert_eq!(numbered(text), numbered(translation), "{path}: {text}");
+            assert!(!translation.trim().is_empty() && translation != text, "{path}: {text}");
+        }
+    }
+}
+
+/// A text with values in braces, where each value stands as `{}`.
+fn without_names(text: &str) -> String {
+    let mut pieces = text.split('{');
+    let first = pieces.next().unwrap_or_default().to_owned();
+    pieces.filter_map(|piece| piece.split_once('}')).fold(first, |text, (_, rest)| text + "{}" + rest)
+}
+
+/// Rooms that know no language write notices in English. The app has a pattern for each that a state or its waves give.
+#[test]
+fn every_notice_of_states_and_waves_has_a_pattern() {
+    let source = fs::read_to_string("src/app/notices.rs").expect("the patterns");
+    let patterns: BTreeSet<String> = literals_after(&source, "text!(").iter().map(|t| without_names(t)).collect();
+    let mut count = 0;
+    for path in app_sources(Path::new("src/state")).into_iter().chain(app_sources(Path::new("src/waves"))) {
+        let source = fs::read_to_string(&path).expect("a source file");
+        let source = source.split("#[cfg(test)]").next().unwrap_or_default();
+        for marker in ["notices.push(", "notices.push(format!(", "notice = format!(", "let notice = "] {
+            for notice in literals_after(source, marker) {
+                count += 1;
+                let notice = without_names(&notice);
+                // A value may be a part of a pattern, such as the size of a grid.
+                let fits =
+                    patterns.contains(&notice) || patterns.contains(&notice.replace("{} x {} points", "{} points"));
+                // The number of a key belongs to the key.
+                let fits = fits || patterns.contains(&notice.replace("scale{}", "{}"));
+                let fits = fits || patterns.contains(&notice.replace("{MAX_STATE_BYTES}", "{}"));
+                assert!(fits, "{}: no pattern in src/app/notices.rs for {notice:?}", path.display());
+            }
+        }
+    }
+    assert!(count >= 15, "{count} notices");
+}

@@ -7,8 +7,8 @@ use common::harness::open;
 use egui::epaint::{ClippedShape, Shape};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use seastate::app::App;
 use seastate::app::language::tr;
+use seastate::app::{App, SafeArea};
 use seastate::state::params::Language;
 
 /// Sizes of windows, points, and pixels per point.
@@ -70,6 +70,15 @@ fn faults(shapes: &[ClippedShape], window: egui::Rect) -> Vec<String> {
     faults
 }
 
+/// What is wrong with the place of a wide window's panel: its end must not lie below the window's, because what is there
+/// cannot be scrolled to.
+fn panel_outside(harness: &Harness<'static, App>) -> Option<String> {
+    let window = harness.ctx.content_rect();
+    let panel = harness.ctx.memory(|m| m.area_rect(egui::Id::unique("panel")))?;
+    let is_outside = window.width() >= 640.0 && !window.expand(0.5).contains_rect(panel);
+    is_outside.then(|| format!("the panel {panel} leaves the window {window}"))
+}
+
 /// Opens each part of the interface at each size, and passes it to `look` with its name.
 fn visit(zooms: &[f32], languages: &[&str], mut look: impl FnMut(&mut Harness<'static, App>, &str)) {
     for (size, pixels_per_point) in SIZES {
@@ -79,6 +88,7 @@ fn visit(zooms: &[f32], languages: &[&str], mut look: impl FnMut(&mut Harness<'s
                 let place = format!("{width}x{height}-at-{pixels_per_point}-zoom-{zoom}-{language}");
                 let mut harness = open(&format!("n=64&pause=1&lang={language}"), size, pixels_per_point * zoom);
                 harness.set_size(egui::vec2(width / zoom, height / zoom));
+                harness.ctx.all_styles_mut(|style| style.animation_time = 0.0);
                 harness.run_steps(4);
                 look(&mut harness, &format!("{place}-start"));
                 harness.state_mut().offer_first_steps();
@@ -117,6 +127,7 @@ fn no_text_is_cut_or_covered() {
             return;
         }
         let window = harness.ctx.content_rect();
+        found.extend(panel_outside(harness).map(|fault| format!("{place}: {fault}")));
         found.extend(faults(&harness.output().shapes, window).into_iter().map(|fault| format!("{place}: {fault}")));
     };
     visit(&ZOOMS, &["en"], &mut look);
@@ -126,6 +137,103 @@ fn no_text_is_cut_or_covered() {
     assert!(hints >= 4 * (windows - 2), "{hints} hints in {windows} windows");
     assert!(looks >= SIZES.len() * ZOOMS.len() * (TABS.len() + 2), "{looks}");
     assert!(found.is_empty(), "{} faults:\n{}", found.len(), found.join("\n"));
+}
+
+/// The panel of a wide window covers nothing at either side of it and at any width, and what the user chose is kept.
+#[test]
+fn the_panel_moves_and_changes_its_width_without_covering_anything() {
+    let folder = std::env::temp_dir().join(format!("seastate-panel-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for size in [[844.0, 390.0], [768.0, 1024.0], [1280.0, 720.0]] {
+        let mut harness = open("n=64&pause=1&view=heights", size, 1.0);
+        harness.state_mut().set_save_folder(folder.clone());
+        let press = |harness: &mut Harness<'static, App>, handle: &str, key: egui::Key, times: usize| {
+            harness.get_by_label(handle).focus();
+            harness.run_steps(2);
+            for _ in 0..times {
+                harness.key_press(key);
+                harness.run_steps(2);
+            }
+        };
+        let panel = |harness: &Harness<'static, App>| {
+            harness.ctx.memory(|m| m.area_rect(egui::Id::unique("panel"))).expect("a panel")
+        };
+        let usual = panel(&harness);
+        assert!(usual.center().x > 0.5 * size[0], "{usual}");
+        let check = |harness: &mut Harness<'static, App>, what: &str| {
+            let window = harness.ctx.content_rect();
+            let found: Vec<_> =
+                panel_outside(harness).into_iter().chain(faults(&harness.output().shapes, window)).collect();
+            assert!(found.is_empty(), "{size:?}, {what}: {found:?}");
+            let summary = harness.ctx.memory(|m| m.area_rect(egui::Id::unique("summary"))).expect("a summary");
+            assert!(!summary.intersects(panel(harness)), "{size:?}, {what}: {summary} {}", panel(harness));
+        };
+        press(&mut harness, "Side of the panel", egui::Key::ArrowLeft, 1);
+        assert!(panel(&harness).center().x < 0.5 * size[0], "{}", panel(&harness));
+        check(&mut harness, "left");
+        press(&mut harness, "Width of the panel", egui::Key::ArrowRight, 4);
+        let wide = panel(&harness);
+        assert!((wide.width() - usual.width() - 80.0).abs() < 1.0, "{size:?}: {usual} {wide}");
+        check(&mut harness, "left and wide");
+        let kept = std::fs::read_to_string(folder.join("panel.txt")).expect("the place is kept");
+        assert_eq!(kept, "side=left width=446");
+        press(&mut harness, "Width of the panel", egui::Key::ArrowLeft, 20);
+        check(&mut harness, "left and narrow");
+        press(&mut harness, "Side of the panel", egui::Key::ArrowRight, 1);
+        check(&mut harness, "right and narrow");
+        // A drag of the handle takes the panel along and leaves it at the nearer edge.
+        let grip = harness.get_by_label("Side of the panel").rect().center();
+        harness.drag_at(grip);
+        harness.run_steps(2);
+        for x in [0.7, 0.5, 0.3] {
+            harness.hover_at(egui::pos2(x * size[0], grip.y));
+            harness.run_steps(2);
+        }
+        harness.drop_at(egui::pos2(0.1 * size[0], grip.y));
+        harness.run_steps(4);
+        assert!(panel(&harness).left() < 20.0, "{}", panel(&harness));
+        check(&mut harness, "dragged");
+        assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    }
+    std::fs::remove_dir_all(&folder).expect("the folder is removed");
+}
+
+/// A notch and the system's bar cover nothing but the picture, which fills the screen.
+#[test]
+fn the_safe_area_keeps_text_away_from_the_edges() {
+    let phone = SafeArea { top: 47.0, right: 0.0, bottom: 34.0, left: 0.0 };
+    let on_its_side = SafeArea { top: 0.0, right: 47.0, bottom: 21.0, left: 47.0 };
+    for (size, safe) in [([390.0, 844.0], phone), ([844.0, 390.0], on_its_side)] {
+        let mut harness = open("n=64&pause=1", size, 1.0);
+        harness.ctx.all_styles_mut(|style| style.animation_time = 0.0);
+        let whole = harness.state().picture_size();
+        harness.state_mut().set_safe_area(safe);
+        // The harness has no host that calls the hook.
+        let (ctx, mut input) = (harness.ctx.clone(), egui::RawInput::default());
+        eframe::App::raw_input_hook(harness.state_mut(), &ctx, &mut input);
+        harness.input_mut().safe_area_insets = input.safe_area_insets;
+        harness.run_steps(4);
+        let inside = egui::Rect::from_min_max(
+            egui::pos2(safe.left, safe.top),
+            egui::pos2(size[0] - safe.right, size[1] - safe.bottom),
+        );
+        for tab in ["", "Weather", "Study"] {
+            if let Some(button) = harness.query_by_label(tab).filter(|_| !tab.is_empty()) {
+                button.click_accesskit();
+                harness.run_steps(6);
+            }
+            for (text, bounds, clip) in texts(&harness.output().shapes) {
+                let seen = bounds.intersect(clip);
+                assert!(inside.expand(1.0).contains_rect(seen), "{tab}: {text:?} at {seen} of {inside}");
+            }
+            let picture = harness.state().picture_size();
+            assert_eq!(picture[0], whole[0], "{tab}: the picture has the screen's width");
+            if size[0] > size[1] || tab.is_empty() {
+                let taken = if size[0] > size[1] { 0 } else { safe.bottom as u32 };
+                assert_eq!(picture[1], whole[1] - taken, "{tab}: the picture reaches under the notch");
+            }
+        }
+    }
 }
 
 /// The check finds a planted fault of each kind.

@@ -41,9 +41,15 @@ class Rung extends Error {
   }
 }
 
-function say(text) {
-  element('status').textContent = text;
+let said = ['Loading…']; // the English text of the status, and the values in its places
+
+/** Shows what the page is doing, in the visitor's language (words.js). */
+function say(...text) {
+  said = text;
+  element('status').textContent = window.seastateWords(...text);
 }
+
+addEventListener('seastate-words', () => say(...said));
 
 /** Shows one failure message of index.html (a "rung"), with the technical text `reason` below it. */
 function show(rung, reason) {
@@ -183,10 +189,10 @@ function counted(response, parts) {
       if (total > 0 && received <= total) {
         bar.max = total;
         bar.value = received;
-        say(`Loading: ${megabytes(received)} of ${megabytes(total)} MB`);
+        say('Loading: {done} of {total} MB', { done: megabytes(received), total: megabytes(total) });
       } else {
         bar.removeAttribute('value');
-        say(`Loading: ${megabytes(received)} MB`);
+        say('Loading: {done} MB', { done: megabytes(received) });
       }
       wait();
       controller.enqueue(chunk.value);
@@ -348,7 +354,7 @@ function watchFrames() {
   const late = setTimeout(() => {
     if (document.hidden) return;
     show('tab');
-    document.title = 'Please open the sea in a new tab';
+    document.title = window.seastateWords('Please open this sea in a new tab');
   }, FRAME_SECONDS * 1000);
   requestAnimationFrame(() => {
     clearTimeout(late);
@@ -425,7 +431,7 @@ async function bench(handle) {
   const query = new URLSearchParams(location.search);
   const repeat = Math.max(5, Number(query.get('bench')) || 0);
   query.delete('bench');
-  const tell = (what) => say(`Measuring: ${what}…`);
+  const tell = (what) => say('Measuring: {what}…', { what });
   // A second attempt, if the device was lost during the first. Each attempt has a device of its own.
   const measured = await handle
     .bench(query.toString(), repeat, tell)

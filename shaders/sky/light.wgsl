@@ -77,6 +77,9 @@ fn clear_irradiance() {
     light.fog_sun_irradiance = sun * sunlight;
     let lost = sun * (high * (1.0 - sunlight));
     light.fog_sky_radiance = (mix(diffuse, LIGHT_OVERCAST_TRANSMITTANCE * grey, o) + lost) * (0.6 / ATM_PI);
+    let tint = vec3f(sky.fog_red, sky.fog_green, sky.fog_blue);
+    light.fog_sky_radiance *= tint;
+    light.fog_sun_irradiance *= tint;
   }
 }
 

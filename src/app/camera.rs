@@ -92,7 +92,7 @@ impl App {
     /// Once the user gives no input, rounds the camera's position and angles, and the time of a stopped clock, to the
     /// digits that a link holds. The picture is then exactly the one that a copied link opens.
     pub(super) fn round_pose_when_idle(&mut self, ctx: &egui::Context) {
-        if ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
+        if self.tilt.is_on() || ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.any_touches()) {
             return;
         }
         // A link may have more digits; they are kept until the user moves the camera.

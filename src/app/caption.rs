@@ -1,8 +1,7 @@
 //! The caption of a debug view (its name, colour bar and explanation), and the keys that switch between views.
 
-use crate::state::Params;
+use super::{App, panel};
 use crate::state::views::{DisplayedView, ViewChoice};
-use crate::waves::Plan;
 use crate::waves::colour_scale::{Palette, caption};
 use egui::{Color32, Key};
 
@@ -32,26 +31,30 @@ pub fn apply_view_keys(view: &mut ViewChoice, ctx: &egui::Context) -> bool {
     back
 }
 
-/// Shows name, colour bar and explanation of the current debug view (an image of one quantity in place of the sea) at
-/// the lower left of the window. The ordinary picture has no caption.
-pub fn show_view_caption(params: &Params, plan: &Plan, ctx: &egui::Context) {
-    let view = params.look.view;
-    if view.displayed == DisplayedView::Picture {
-        return;
-    }
-    let area = egui::Area::new(egui::Id::unique("caption")).anchor(egui::Align2::LEFT_BOTTOM, egui::vec2(12.0, -12.0));
-    area.interactable(false).show(ctx, |ui| {
-        egui::Frame::window(ui.style()).show(ui, |ui| {
-            let caption = caption(view, plan);
-            ui.strong(view.name());
-            if let Some(palette) = caption.palette {
-                draw_colour_bar(palette, ui);
-            }
-            for line in caption.lines {
-                ui.label(line);
-            }
+impl App {
+    /// Shows name, colour bar and explanation of the current debug view (an image of one quantity in place of the sea)
+    /// at the lower left of the window, beside the panel if there is one. The ordinary picture has no caption.
+    pub(super) fn show_view_caption(&self, has_panel: bool, ctx: &egui::Context) {
+        let view = self.params.look.view;
+        if view.displayed == DisplayedView::Picture {
+            return;
+        }
+        let free = if has_panel { panel::free_part(self, ctx) } else { ctx.content_rect() };
+        let area = egui::Area::new(egui::Id::unique("caption")).anchor(egui::Align2::LEFT_BOTTOM, egui::Vec2::ZERO);
+        let area = area.constrain_to(free.shrink(12.0)).interactable(false);
+        area.show(ctx, |ui| {
+            egui::Frame::window(ui.style()).show(ui, |ui| {
+                let caption = caption(view, &self.derived.plan);
+                ui.strong(view.name());
+                if let Some(palette) = caption.palette {
+                    draw_colour_bar(palette, ui);
+                }
+                for line in caption.lines {
+                    ui.label(line);
+                }
+            });
         });
-    });
+    }
 }
 
 fn draw_colour_bar(palette: Palette, ui: &mut egui::Ui) {

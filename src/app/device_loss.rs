@@ -6,6 +6,7 @@ use super::gpu_errors::GpuErrors;
 use super::measurements::{FrameMeasurements, SeaMeasurement};
 use super::viewport::DrawingProgress;
 use super::{App, setup};
+use crate::app::language::tr;
 use crate::gpu::Gpu;
 use crate::ocean::{Ocean, OutputKind};
 use crate::state::Params;
@@ -69,6 +70,12 @@ impl eframe::App for AppHost {
         }
     }
 
+    fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
+        if let Some(app) = &mut self.0 {
+            app.raw_input_hook(ctx, input);
+        }
+    }
+
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         if let Some(app) = &mut self.0 {
             app.ui(ui, frame);
@@ -116,12 +123,12 @@ impl App {
         self.frame_measurements = FrameMeasurements::default();
         self.sea_measurement = SeaMeasurement::default();
         if out_of_memory {
-            self.show_brief_message(
+            self.show_brief_message(tr(
                 "The graphics card is short of memory, so the picture is less sharp: close other programs or tabs and \
                  start again.",
-            );
+            ));
         } else if self.params.screen.interface == Interface::Panel {
-            self.show_brief_message("The graphics card was lost for a moment; the sea goes on.");
+            self.show_brief_message(tr("The graphics card was lost for a moment; the sea goes on."));
         }
         Ok(())
     }

@@ -25,6 +25,14 @@ pub fn tr(english: &str) -> &str {
     CURRENT.get().and_then(|(translations, _)| translations.get(english)).map_or(english, String::as_str)
 }
 
+/// Runs `compose` with English as the language of the interface.
+pub fn in_english<T>(compose: impl FnOnce() -> T) -> T {
+    let current = CURRENT.take();
+    let composed = compose();
+    CURRENT.set(current);
+    composed
+}
+
 /// Translates an English text with places such as `{height}`, and puts the values of `places` there.
 pub fn fill(english: &str, places: &[(&str, String)]) -> String {
     let mut text = tr(english).to_owned();

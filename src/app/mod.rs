@@ -19,12 +19,14 @@ mod mini;
 mod mooring;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod native;
+mod notices;
 mod opened_files;
 mod panel;
 mod picture_caption;
 mod plots;
 mod quality;
 mod report;
+mod safe_area;
 mod saved_picture;
 #[cfg(target_arch = "wasm32")]
 mod screen_readers;
@@ -35,6 +37,7 @@ mod storage;
 mod tasks;
 mod text_size;
 mod thumbnails;
+mod tilt;
 mod units;
 mod viewport;
 mod visitor;
@@ -42,6 +45,8 @@ mod visitor;
 pub mod web;
 #[cfg(target_arch = "wasm32")]
 mod web_page;
+#[cfg(target_arch = "wasm32")]
+mod web_phone;
 
 use crate::gpu::Gpu;
 use crate::point::buoy_record::BuoyRecord;
@@ -52,6 +57,7 @@ use crate::waves::SeaChange;
 use derived::DerivedSeaData;
 use gpu_errors::GpuErrors;
 use quality::FrameTimes;
+pub use safe_area::SafeArea;
 
 const NO_WGPU_MESSAGE: &str = "eframe was started without wgpu";
 
@@ -105,6 +111,8 @@ pub struct App {
     /// The sky image file that was read last. It is used again when an opened link names the same file.
     sky: Option<SkyFile>,
     progress: viewport::DrawingProgress,
+    safe_area: SafeArea,
+    tilt: tilt::Tilt,
     frame_measurements: measurements::FrameMeasurements,
     sea_measurement: measurements::SeaMeasurement,
     visible_readouts: measurements::VisibleReadouts,
@@ -155,7 +163,7 @@ impl App {
             gpu_errors,
             frames: 0,
             opened_files: tasks::Inbox::default(),
-            panel: panel::Panel::default(),
+            panel: panel::Panel::load(),
             own_seas,
             history: history::History::default(),
             quality,
@@ -177,6 +185,8 @@ impl App {
             save_results: tasks::Inbox::default(),
             sky: sky.filter(|s| s.image.is_some()),
             progress: viewport::DrawingProgress::default(),
+            safe_area: SafeArea::default(),
+            tilt: tilt::Tilt::default(),
             frame_measurements: measurements::FrameMeasurements::default(),
             sea_measurement: measurements::SeaMeasurement::default(),
             visible_readouts: measurements::VisibleReadouts::default(),
@@ -279,6 +289,10 @@ impl App {
 }
 
 impl eframe::App for App {
+    fn raw_input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
+        self.add_safe_area(input);
+    }
+
     fn logic(&mut self, _ctx: &egui::Context, _frame: &mut eframe::Frame) {
         #[cfg(target_arch = "wasm32")]
         {
@@ -297,6 +311,7 @@ impl eframe::App for App {
             self.notices.push(reason);
         }
         self.apply_text_size(&ctx);
+        self.forget_tilt_button();
         self.advance_picture_job();
         self.handle_keys(&ctx);
         self.advance_time(&ctx);
@@ -317,7 +332,7 @@ impl eframe::App for App {
                 interval_s,
                 gpu: self.frame_measurements.take_gpu_time(),
                 time_is_stopped: self.stands_still(),
-                has_extra_work: self.progress.is_replaying_foam_or_fading(),
+                has_extra_work: self.progress.is_replaying_foam_or_fading() || self.panel.sheet.is_moving(),
             };
             self.quality.adapt(times, &self.params.screen);
         }
@@ -348,7 +363,8 @@ impl eframe::App for App {
         self.visitor.pointer_is_off_sea = ctx.pointer_hover_pos().is_some() && !response.contains_pointer();
         self.place_floating_object(&response, &ctx);
         camera::apply_pointer_to_camera(&mut self.params.camera, &response, &ctx);
-        caption::show_view_caption(&self.params, &self.derived.plan, &ctx);
+        self.panel.sea = Some(response.rect);
+        self.show_view_caption(interface == Interface::Panel, &ctx);
         match interface {
             Interface::None => {}
             Interface::Panel => {

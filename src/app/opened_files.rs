@@ -4,7 +4,7 @@
 #[cfg(target_arch = "wasm32")]
 use super::tasks;
 use super::{App, tasks::Inbox};
-use crate::app::language::{text, tr};
+use crate::app::language::{say, text, tr};
 use crate::files::measured::{MAX_FILES_PER_SPECTRUM, MeasuredSpectrum};
 use crate::files::panorama::{self, Panorama};
 use crate::files::{input, picture};
@@ -185,7 +185,7 @@ impl App {
         let count = seas.len();
         self.notices = notices;
         match self.own_seas.add(seas) {
-            Ok(()) => self.show_brief_message(&format!("{count} seas imported")),
+            Ok(()) => self.show_brief_message(&say!("{count} seas imported", count = count)),
             Err(reason) => self.notices.push(reason),
         }
     }
@@ -194,8 +194,14 @@ impl App {
     /// notices. A `file` whose image is not loaded changes nothing.
     fn use_sky_file(&mut self, file: SkyFile) {
         let Some(panorama) = &file.image else { return };
-        let sun = panorama.sun.as_ref().map(|s| format!(", sun {:.0}° high", s.elevation_deg)).unwrap_or_default();
-        self.news = vec![format!("{}: {} x {}{sun}", file.name, panorama.width, panorama.height)];
+        let size = format!("{}: {} x {}", file.name, panorama.width, panorama.height);
+        self.news = vec![match &panorama.sun {
+            Some(sun) => {
+                let degrees = format!("{:.0}", sun.elevation_deg);
+                say!("{size}, sun {degrees}° high", size = size, degrees = degrees)
+            }
+            None => size,
+        }];
         self.notices.clone_from(&panorama.notices);
         self.params.look.sky.file = Some(file.clone());
         self.sky = Some(file);

@@ -188,13 +188,18 @@ impl AdaptiveQuality {
         if self.out_of_memory_errors > 0 {
             let scale =
                 self.resolution_scale_for_memory().min(if self.time_is_stopped { 1.0 } else { self.governor.scale() });
-            return format!("{:.0} % of the pixels, for want of graphics memory", 100.0 * scale * scale);
+            let percent = format!("{:.0}", 100.0 * scale * scale);
+            return say!("{percent} % of the pixels, for want of graphics memory", percent = percent);
         }
         if self.time_is_stopped || self.governor.level() == 0 {
-            return "full quality".to_owned();
+            return tr("full quality").to_owned();
         }
-        let light = if self.governor.is_lean() { ", simpler light" } else { "" };
-        format!("{:.0} % of the pixels{light}, to keep up", 100.0 * self.governor.scale().powi(2))
+        let percent = format!("{:.0}", 100.0 * self.governor.scale().powi(2));
+        if self.governor.is_lean() {
+            say!("{percent} % of the pixels, simpler light, to keep up", percent = percent)
+        } else {
+            say!("{percent} % of the pixels, to keep up", percent = percent)
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The report that a user pastes into a bug report: program, GPU, state, errors and frame rate.
 
 use super::App;
-use crate::app::language::tr;
+use crate::app::language::{in_english, local_number, say, text, tr};
 use crate::ocean::device_info::DeviceInfo;
 
 impl App {
@@ -10,22 +10,29 @@ impl App {
         let mut rows = DeviceInfo::new(&self.render_state.adapter, &self.gpu()).rows();
         #[cfg(target_arch = "wasm32")]
         rows.push(("browser", self.browser.clone()));
-        let [width, height] = self.picture_size();
-        let quality = self.quality.describe();
-        let points = self.params_to_draw().grid.n;
-        rows.push(("picture", format!("{width} x {height} pixels, {quality}")));
-        rows.push(("sea", format!("{points} x {points} points in {} cascades", self.derived.plan.cascades.len())));
-        rows.push(("frames", format!("{}, {:.0} a second", self.frames, self.quality.frames_per_second())));
-        rows.push(("recording", format!("{:.2} ms of the CPU", self.frame_measurements.recording_time_ms())));
+        let ([width, height], quality) = (self.picture_size(), self.quality.describe());
+        let picture = say!("{width} x {height} pixels, {quality}", width = width, height = height, quality = quality);
+        rows.push((text!("picture"), picture));
+        let (points, cascades) = (self.params_to_draw().grid.n, self.derived.plan.cascades.len());
+        let sea = say!("{points} x {points} points in {cascades} cascades", points = points, cascades = cascades);
+        rows.push((text!("sea"), sea));
+        let rate = format!("{:.0}", self.quality.frames_per_second());
+        rows.push((text!("frames"), say!("{count}, {rate} a second", count = self.frames, rate = rate)));
+        let ms = local_number(format!("{:.2}", self.frame_measurements.recording_time_ms()));
+        rows.push((text!("recording"), say!("{ms} ms of the CPU", ms = ms)));
         let errors = self.errors();
         let last = self.device_lost().or_else(|| errors.last().cloned());
-        rows.push(("last error", last.unwrap_or_else(|| "none".to_owned())));
+        rows.push((text!("last error"), last.unwrap_or_else(|| tr("none").to_owned())));
         rows
     }
 
     /// The whole bug report as plain text: program, GPU and frame rate, then pass times, errors, notices and the state
-    /// string.
+    /// string. It is English in every language of the interface, because those who mend the fault read it.
     pub fn report_text(&self) -> String {
+        in_english(|| self.report_in_english())
+    }
+
+    fn report_in_english(&self) -> String {
         let mut lines: Vec<String> =
             self.system_information().iter().map(|(name, value)| format!("{name}: {value}")).collect();
         for (pass, ms) in self.frame_measurements.pass_times_ms().unwrap_or_default() {

@@ -43,6 +43,14 @@ fn clipboard_sign(request: &GlyphRasterizerRequest<'_>) -> Option<RasterizedGlyp
     Some(RasterizedGlyph { bitmap: GlyphBitmap { image, offset_px, is_color: false }, advance_px })
 }
 
+/// Whether the user has asked the system for reduced motion, as far as the browser tells.
+fn prefers_reduced_motion() -> bool {
+    #[cfg(target_arch = "wasm32")]
+    return super::web::media_matches("(prefers-reduced-motion: reduce)");
+    #[cfg(not(target_arch = "wasm32"))]
+    false
+}
+
 /// Sets the visual style of the user interface: dark and slightly translucent.
 pub fn apply_style(ctx: &egui::Context) {
     super::icons::install(ctx);
@@ -62,5 +70,8 @@ pub fn apply_style(ctx: &egui::Context) {
         style.visuals.handle_shape = egui::style::HandleShape::Circle;
         style.visuals.window_corner_radius = 14.into();
         style.spacing.slider_width = 130.0;
+        if prefers_reduced_motion() {
+            style.animation_time = 0.0;
+        }
     });
 }

@@ -237,7 +237,7 @@ impl WebHandle {
         })
     }
 
-    fn with_app<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
+    pub(super) fn with_app<T>(&self, f: impl FnOnce(&mut App) -> T) -> Option<T> {
         if let Some(app) = self.parked.borrow_mut().as_mut() {
             return Some(f(app));
         }
@@ -247,7 +247,7 @@ impl WebHandle {
 }
 
 /// Whether a media query fits this browser, such as that the user has asked for reduced motion.
-fn media_matches(query: &str) -> bool {
+pub(super) fn media_matches(query: &str) -> bool {
     let asked = web_sys::window().and_then(|w| w.match_media(query).ok().flatten());
     asked.is_some_and(|m| m.matches())
 }

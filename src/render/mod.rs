@@ -199,9 +199,11 @@ impl Renderer {
 
     /// Render targets for a picture of `size` (width, height) pixels, created anew if the size has changed.
     fn ensure_targets(&mut self, gpu: &Gpu, size: [u32; 2]) -> &Targets {
-        let targets = self.targets.take().filter(|targets| targets.size == size);
+        if let Some(old) = self.targets.take_if(|targets| targets.size != size) {
+            old.destroy();
+        }
         let output = self.water.scene.output;
-        self.targets.insert(targets.unwrap_or_else(|| Targets::new(gpu, size, output)))
+        self.targets.get_or_insert_with(|| Targets::new(gpu, size, output))
     }
 
     /// Prepares a frame: writes the uniform buffers, selects the pipelines, binds the maps, sets water mesh and hulls.

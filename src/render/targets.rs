@@ -95,6 +95,14 @@ impl Targets {
         }
     }
 
+    /// Frees the memory of the textures, which a later picture does not use. Without this, a browser keeps them until it
+    /// collects its garbage, and a phone runs out of memory while the height of the picture follows a finger.
+    pub fn destroy(&self) {
+        for view in self.g_buffer.iter().chain([&self.hdr, &self.depth]) {
+            view.texture().destroy();
+        }
+    }
+
     /// Begins the render pass that draws the water mesh into the G-buffer and the depth texture; clears both first.
     pub fn begin_mesh<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, timer: &Timer) -> wgpu::RenderPass<'a> {
         let far = wgpu::Color { r: NO_WATER_M, g: NO_WATER_M, b: 0.0, a: 0.0 };

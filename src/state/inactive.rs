@@ -77,7 +77,12 @@ const RULES: &[Rule] = &[
         "Rain falls from clouds other than cirrus: choose such a kind of clouds.",
         "clouds=storm",
     ),
-    rule(&["fogstart", "fogheight", "fogfalloff"], |p| !p.look.sky.has_fog(), "There is no fog: add some.", "fog=1"),
+    rule(
+        &["fogstart", "fogheight", "fogfalloff", "fogcolour"],
+        |p| p.look.sky.fog_extinction_per_km == 0.0,
+        "There is no fog: add some.",
+        "fog=1",
+    ),
     rule(
         &["foamthreshold"],
         |p| p.sea.foam.whitecaps == WhitecapRule::Monahan,

@@ -14,6 +14,7 @@ pub mod rounding;
 mod sea;
 pub mod start;
 mod text;
+pub mod tilt;
 mod versions;
 pub mod views;
 

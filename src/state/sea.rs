@@ -138,7 +138,8 @@ parameters! {
         /// (2000); elfouhaily: gravity and capillary waves (1997); donelan: fetch-limited with a w^-4 range (1985);
         /// ochi-hubble, torsethaugen: two peaks (1976, 2004); measured: a buoy's file.
         spectrum: SpectrumKind = SpectrumKind::Jonswap => ("spectrum", "Spectrum", "", Choice(SpectrumKind::WORDS)),
-        /// Factor on the wave height of this system: 1 is the physical height, 0 switches the system off.
+        /// Factor on the wave height of this system: 1 is the physical height, 0 switches the system off. Programs whose
+        /// scale is a factor on the spectrum have the square of this number there: their 4 is 2 here.
         height_factor: f64 = 1.0 => ("scale", "Scale", "", number(0.0, 5.0), "off"),
         /// Wind speed 10 m above the sea: Beaufort 4 is about 7, a gale (Beaufort 8) about 19, a hurricane above 33.
         wind_m_s: f64 = 12.0 => ("wind", "Wind", "m/s", number(0.0, 60.0)),

@@ -2,10 +2,13 @@
 //! narrow one has a bar of tabs at the bottom, with a sheet above it.
 
 mod chosen;
+mod handle;
 mod numbers;
+mod place;
 mod rows;
 mod seas;
 mod share;
+mod sheet;
 mod spectra;
 mod study;
 mod summary;
@@ -18,12 +21,14 @@ mod weather;
 
 use super::accessible_names::with_accessible_name;
 use super::saved_picture::PictureChoice;
-use super::{App, icons};
+use super::{App, icons, notices};
 use crate::app::language::tr;
 use crate::files::measured::SpectrumList;
 use crate::state::fields::Group;
 
+pub use place::free_part;
 pub use seas::OwnSeas;
+pub use sheet::show_bottom_sheet;
 #[cfg(target_arch = "wasm32")]
 pub use summary::sea_summary;
 pub use summary::show_summary;
@@ -38,17 +43,20 @@ pub const TOUCH_TARGET_POINTS: f32 = 44.0;
 const PANEL_WIDTH_POINTS: f32 = 366.0;
 /// Height of a tab's button, points.
 const TAB_HEIGHT_POINTS: f32 = 52.0;
-/// Height of the sheet of a narrow window relative to the window's. The sea stays visible above it.
-const SHEET_HEIGHT_RATIO: f32 = 0.4;
+/// Height of the window, points, below which all of the panel but its tabs scrolls, as on a phone that lies on its side.
+const SHORT_WINDOW_POINTS: f32 = 480.0;
+/// Least height of the part of the panel that scrolls, points.
+const MIN_SCROLL_POINTS: f32 = 40.0;
 /// Number of buttons of the most frequent actions.
 const ACTION_COUNT: f32 = 6.0;
 /// Largest number of characters that the panel's search field accepts.
 const MAX_TEXT_CHARS: usize = 100;
 
 /// A tab of the panel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 enum Tab {
     Seas,
+    #[default]
     Weather,
     View,
     Study,
@@ -106,9 +114,20 @@ pub struct Panel {
     pub seed_locked: bool,
     /// Spectra of the file that was opened last, if it holds several; `None` if it does not or the list was closed.
     spectra: Option<SpectrumList>,
+    /// The sheet of a narrow window.
+    pub sheet: sheet::Sheet,
+    /// Place and width of the panel of a wide window.
+    place: place::Place,
+    /// The part of the window in which the sea was drawn last, points.
+    pub sea: Option<egui::Rect>,
 }
 
 impl Panel {
+    /// A panel at the place where the user has left it.
+    pub fn load() -> Self {
+        Self { place: place::Place::load(), ..Self::default() }
+    }
+
     fn open_tab(&self, is_narrow: bool) -> Option<Tab> {
         if self.tab_was_chosen { self.tab } else { (!is_narrow).then_some(Tab::Weather) }
     }
@@ -142,17 +161,16 @@ impl Panel {
     fn open(&mut self, tab: Tab) {
         (self.tab, self.tab_was_chosen) = (Some(tab), true);
     }
+
+    /// Closes the open tab.
+    fn close(&mut self) {
+        (self.tab, self.tab_was_chosen) = (None, true);
+    }
 }
 
 /// Whether the window is so narrow that the panel is a sheet at its bottom.
 fn is_narrow(ctx: &egui::Context) -> bool {
     ctx.content_rect().width() < NARROW_WINDOW_POINTS
-}
-
-/// Width of the part of the window that the panel leaves free, points.
-fn free_width(ctx: &egui::Context) -> f32 {
-    let width = ctx.content_rect().width();
-    if is_narrow(ctx) { width } else { width - PANEL_WIDTH_POINTS - 44.0 }
 }
 
 /// The part of `sea` that the panel of a wide window leaves free, at the larger side of the panel.
@@ -170,58 +188,49 @@ fn has_room(ctx: &egui::Context) -> bool {
     ctx.content_rect().size().min_elem() >= MIN_WINDOW_SIDE_FOR_PANEL_POINTS
 }
 
-/// Shows the bar of tabs and the sheet of a narrow window, before the sea takes the rest of `ui`: the sea is drawn above
-/// the sheet, so that all of it stays visible.
-pub fn show_bottom_sheet(app: &mut App, ui: &mut egui::Ui) {
-    let ctx = ui.ctx().clone();
-    if !(is_narrow(&ctx) && has_room(&ctx)) {
-        return;
-    }
-    let screen = ctx.content_rect();
-    let frame = egui::Frame::new().fill(ui.visuals().window_fill).inner_margin(egui::Margin::symmetric(8, 4));
-    egui::Panel::bottom("tabs").frame(frame).show_separator_line(false).show(ui, |ui| show_tabs(app, ui));
-    let Some(tab) = app.panel.open_tab(true) else { return };
-    let sheet = egui::Panel::bottom("sheet").frame(frame.inner_margin(egui::Margin::symmetric(14, 6)));
-    sheet.exact_size(SHEET_HEIGHT_RATIO * screen.height()).show_separator_line(false).show(ui, |ui| {
-        enlarge_for_touch(ui);
-        show_action_buttons(app, ui);
-        egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            show_notices(app, ui);
-            show_tab(app, tab, ui);
-        });
-    });
-}
-
 /// Shows the panel of a wide window over the sea.
 pub fn show_panel(app: &mut App, ctx: &egui::Context) {
     if is_narrow(ctx) || !has_room(ctx) {
         return;
     }
     let screen = ctx.content_rect();
+    let (corner, distance) = app.panel.place.anchor();
     let window = egui::Window::new(tr("Seastate"))
         .id(egui::Id::unique("panel"))
         .title_bar(false)
         .auto_sized()
-        .pivot(egui::Align2::RIGHT_TOP)
-        .default_pos(screen.right_top() + egui::vec2(-12.0, 12.0))
-        .constrain_to(screen.shrink(12.0));
+        .anchor(corner, distance)
+        .constrain_to(screen.shrink(place::MARGIN_POINTS));
     touch::note(ctx);
+    let width = app.panel.place.width(screen.width());
     window.show(ctx, |ui| {
-        ui.set_width(PANEL_WIDTH_POINTS);
+        ui.set_width(width);
         if touch::is_used(ctx) {
             enlarge_for_touch(ui);
         }
+        place::show_grip(app, ui);
         show_tabs(app, ui);
-        show_notices(app, ui);
-        let Some(tab) = app.panel.open_tab(false) else { return };
-        show_action_buttons(app, ui);
-        let height = screen.height() - 150.0;
+        let tab = app.panel.open_tab(false);
+        let is_short = screen.height() < SHORT_WINDOW_POINTS;
+        if tab.is_some() && !is_short {
+            show_action_buttons(app, ui);
+        }
+        let frame = ui.style().spacing.window_margin.bottomf();
+        let height = screen.bottom() - place::MARGIN_POINTS - frame - ui.cursor().top();
         // What is too wide scrolls sideways: the panel keeps its width, so that no row moves away from the pointer.
-        egui::ScrollArea::both().max_height(height).auto_shrink([false, true]).show(ui, |ui| {
+        let scroll = egui::ScrollArea::both().max_height(height.max(MIN_SCROLL_POINTS)).auto_shrink([false, true]);
+        scroll.show(ui, |ui| {
             // Room for the scroll bar, whether it is shown or not: the rows do not move when it appears.
-            ui.set_max_width(PANEL_WIDTH_POINTS - 14.0);
-            show_tab(app, tab, ui);
+            ui.set_max_width(width - 14.0);
+            if tab.is_some() && is_short {
+                show_action_buttons(app, ui);
+            }
+            show_notices(app, ui);
+            if let Some(tab) = tab {
+                show_tab(app, tab, ui);
+            }
         });
+        place::show_edge(app, ui);
     });
 }
 
@@ -305,7 +314,8 @@ fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
     let total_width = ui.available_width();
     let action = |ui: &mut egui::Ui, enabled: bool, icon: &str, name: &str, help: &str| {
         let gaps = ui.spacing().item_spacing.x * (ACTION_COUNT - 1.0);
-        let width = ((total_width - gaps) / ACTION_COUNT).min(40.0);
+        let most = if is_narrow(ui.ctx()) { 80.0 } else { 40.0 };
+        let width = ((total_width - gaps) / ACTION_COUNT).min(most);
         let size = egui::vec2(width, ui.spacing().interact_size.y.max(28.0));
         let button = egui::Button::new(egui::RichText::new(icon).size(17.0)).frame_when_inactive(false).min_size(size);
         ui.spacing_mut().button_padding.x = 0.0;
@@ -346,7 +356,7 @@ fn show_notices(app: &App, ui: &mut egui::Ui) {
     }
     let missing = app.params.look.sky.missing_file_notice();
     for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing) {
-        ui.colored_label(egui::Color32::from_rgb(240, 200, 110), text);
+        ui.colored_label(egui::Color32::from_rgb(240, 200, 110), notices::translate(text));
     }
     for text in app.errors() {
         ui.colored_label(egui::Color32::from_rgb(255, 130, 120), text);

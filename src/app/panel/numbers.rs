@@ -123,7 +123,7 @@ pub fn show_system_information(app: &mut App, ui: &mut egui::Ui) {
     }
     egui::Grid::new("about").num_columns(2).striped(true).max_col_width(210.0).show(ui, |ui| {
         for (name, value) in app.system_information() {
-            ui.weak(name);
+            ui.weak(tr(name));
             ui.add(egui::Label::new(value).wrap());
             ui.end_row();
         }
@@ -131,11 +131,12 @@ pub fn show_system_information(app: &mut App, ui: &mut egui::Ui) {
     let plan = &app.derived.plan;
     for c in &plan.cascades {
         let longest = if c.k_low > 0.0 { std::f64::consts::TAU / c.k_low } else { c.patch_m };
-        ui.label(format!(
-            "patch {:.1} m: waves of {:.2} to {:.1} m",
-            c.patch_m,
-            std::f64::consts::TAU / c.k_high,
-            longest
+        let number = |metres: f64, digits: usize| local_number(format!("{metres:.digits$}"));
+        ui.label(say!(
+            "patch {side} m: waves of {shortest} to {longest} m",
+            side = number(c.patch_m, 1),
+            shortest = number(std::f64::consts::TAU / c.k_high, 2),
+            longest = number(longest, 1),
         ));
     }
     ui.label(say!(

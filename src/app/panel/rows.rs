@@ -46,6 +46,10 @@ pub fn has_all_words(text: &str, words: &str) -> bool {
 
 /// Width of a slider beside its label, points: label, slider and number then fit the panel.
 const GRID_SLIDER_POINTS: f32 = 96.0;
+/// Width of the rows of a section in a panel of the usual width, points. A wider panel has longer sliders.
+const GRID_WIDTH_POINTS: f32 = 334.0;
+/// Least width of a slider beside its label, points.
+const MIN_GRID_SLIDER_POINTS: f32 = 64.0;
 /// Size of the sentence that says why a row has no effect, points.
 pub const REASON_TEXT_POINTS: f32 = 11.5;
 /// Width of the sentence below a row that says why it has no effect, points.
@@ -67,7 +71,8 @@ pub fn explain(ui: &egui::Ui, response: egui::Response, text: &str) -> egui::Res
 /// Adds the rows of the parameters `fields` of a group.
 pub fn show_group(params: &mut Params, group: Group, fields: &[&'static Field], ui: &mut egui::Ui) {
     let units = params.screen.units;
-    ui.spacing_mut().slider_width = GRID_SLIDER_POINTS;
+    let more = ui.available_width() - GRID_WIDTH_POINTS;
+    ui.spacing_mut().slider_width = (GRID_SLIDER_POINTS + more).max(MIN_GRID_SLIDER_POINTS);
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
         for field in fields {
             show_field_row(params, field, units, ui);

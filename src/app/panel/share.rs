@@ -68,7 +68,7 @@ fn show_links(app: &mut App, ui: &mut egui::Ui) {
 
 fn show_picture(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal_wrapped(|ui| {
-        let picture = format!("{} Picture", icons::PICTURE);
+        let picture = format!("{} {}", icons::PICTURE, tr("Picture"));
         let help = tr("Saves a PNG in full quality that remembers its sea: open it here to return (P).");
         if with_accessible_name(ui.button(picture).on_hover_text(help), tr("Picture")).clicked() {
             app.save_picture();

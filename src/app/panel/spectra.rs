@@ -3,6 +3,7 @@
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
 use super::Tab;
+use crate::app::language::{local_number, say, tr};
 use crate::files::measured::SpectrumList;
 
 /// Greatest height of the list, points.
@@ -13,11 +14,18 @@ impl App {
     pub(in crate::app) fn use_spectra(&mut self, list: SpectrumList) {
         let (count, used) = (list.records.len(), list.default_index);
         let spectrum = list.records[used].spectrum.clone();
-        let directions =
-            spectrum.directional_table().map_or(String::new(), |t| format!(" x {} directions", t.direction_count()));
-        let bands = spectrum.bands().len();
-        let title = list.title(used);
-        self.news = vec![format!("{title}: {bands} bands{directions}, Hs {:.2} m", spectrum.hs_m())];
+        let (title, bands) = (list.title(used), spectrum.bands().len());
+        let height = local_number(format!("{:.2}", spectrum.hs_m()));
+        self.news = vec![match spectrum.directional_table().map(|table| table.direction_count()) {
+            Some(directions) => say!(
+                "{title}: {bands} bands x {directions} directions, Hs {height} m",
+                title = title,
+                bands = bands,
+                directions = directions,
+                height = height
+            ),
+            None => say!("{title}: {bands} bands, Hs {height} m", title = title, bands = bands, height = height),
+        }];
         self.notices = list.notices.iter().chain(&list.records[used].notices).cloned().collect();
         self.params.sea.set_measured_spectrum(spectrum);
         if count > 1 {
@@ -34,8 +42,8 @@ pub fn show_spectrum_list(app: &mut App, ui: &mut egui::Ui) {
     let Some(list) = app.panel.spectra.take() else { return };
     let mut keeps = true;
     ui.horizontal(|ui| {
-        ui.label(format!("{}: {} spectra", list.name, list.records.len()));
-        keeps = !with_accessible_name(ui.small_button("×"), "Close the list of spectra").clicked();
+        ui.label(say!("{name}: {count} spectra", name = list.name, count = list.records.len()));
+        keeps = !with_accessible_name(ui.small_button("×"), tr("Close the list of spectra")).clicked();
     });
     let mut chosen = None;
     let row_height = ui.spacing().interact_size.y;

@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
-use super::super::plots;
+use super::super::{notices, plots};
 use super::{MAX_TEXT_CHARS, numbers, rows, seas, share, spectra, sun, systems, text_field};
 use crate::app::language::{say, tr};
 use crate::state::fields::{FIELDS, Field, Group};
@@ -11,7 +11,7 @@ use crate::state::fields::{FIELDS, Field, Group};
 pub fn show_study(app: &mut App, ui: &mut egui::Ui) {
     numbers::show_main_statistics(app, ui);
     if let Some(note) = &app.derived.plan.resolution_note {
-        ui.weak(note);
+        ui.weak(notices::translate(note));
     }
     spectra::show_spectrum_list(app, ui);
     egui::CollapsingHeader::new(tr("Open a spectrum or a sky")).show(ui, |ui| share::show_open_buttons(app, ui));

@@ -3,12 +3,14 @@
 use super::super::App;
 use super::super::units::UnitScale;
 use super::weather::compass_point;
-use super::{Tab, free_width, has_room};
+use super::{Tab, free_part, has_room};
 use crate::app::language::{local_number, say, tr};
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// Largest width of the text, points.
 const MAX_WIDTH_POINTS: f32 = 340.0;
+/// Distance of the text from the edges of what is free, points.
+const MARGIN_POINTS: f32 = 12.0;
 
 /// One line about the sea for screen readers, such as `Hs 2.4 m, Beaufort 5`: significant wave height and Beaufort
 /// number.
@@ -26,14 +28,19 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
     if !has_room(ctx) {
         return;
     }
-    let area = egui::Area::new(egui::Id::unique("summary")).anchor(egui::Align2::LEFT_TOP, egui::vec2(12.0, 12.0));
+    let (id, free) = (egui::Id::unique("summary"), free_part(app, ctx).shrink(MARGIN_POINTS));
+    // A high sheet leaves no room for the text.
+    if ctx.memory(|m| m.area_rect(id)).is_some_and(|last| last.height() > free.height()) {
+        return;
+    }
+    let area = egui::Area::new(id).anchor(egui::Align2::LEFT_TOP, egui::Vec2::ZERO).constrain_to(free);
     let shade = egui::Color32::from_rgba_unmultiplied(8, 16, 24, 120);
     let frame = egui::Frame::new().fill(shade).corner_radius(10.0).inner_margin(egui::Margin::symmetric(12, 8));
     area.show(ctx, |ui| {
         frame.show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
             ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Wrap);
-            ui.set_max_width((free_width(ctx) - 48.0).clamp(80.0, MAX_WIDTH_POINTS));
+            ui.set_max_width((free.width() - 24.0).clamp(80.0, MAX_WIDTH_POINTS));
             let wind_m_s = app.params.sea.first_system().wind_m_s;
             let name = BEAUFORT_FORCES[beaufort::beaufort_number(wind_m_s)].name;
             let white = |text: String, points: f32| egui::RichText::new(text).size(points).color(egui::Color32::WHITE);

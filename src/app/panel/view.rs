@@ -19,6 +19,7 @@ pub fn show_view(app: &mut App, ui: &mut egui::Ui) {
             app.change_preferences(|preferences| preferences.slow_camera = moves);
         }
     }
+    app.show_tilt_button(ui);
     ui.add_space(8.0);
     ui.strong(tr("Simulated time"));
     time::show_time_controls(app, ui);
@@ -64,7 +65,12 @@ fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
             let (east, south) = (side(east, [tr("east"), tr("west")]), side(south, [tr("south"), tr("north")]));
             ui.label(format!("{} at {east}, {south}: {}", float.kind.word(), metres.format(height, 2)));
             let cross = ui.small_button("×").on_hover_text(tr("Lifts it out of the water."));
-            if with_accessible_name(cross, &format!("Lift {} {}", float.kind.word(), i + 1)).clicked() {
+            if with_accessible_name(
+                cross,
+                &say!("Lift {object} {number}", object = tr(float.kind.word()), number = i + 1),
+            )
+            .clicked()
+            {
                 lifted = Some(i);
             }
         });

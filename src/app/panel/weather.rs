@@ -171,10 +171,7 @@ fn show_rows(app: &mut App, ui: &mut egui::Ui, rows: &[Row]) {
 /// Adds the slider of the wind speed, its force and name on the Beaufort scale, what the sea looks like in it, and a
 /// button that gives the wind the fetch for which the sea is as high as the scale says.
 fn show_wind(app: &mut App, ui: &mut egui::Ui) {
-    let units = app.params.screen.units;
-    let speed = UnitScale::for_unit("m/s", units);
-    let wind_m_s = app.params.sea.first_system().wind_m_s;
-    let force = beaufort::beaufort_number(wind_m_s);
+    let force = beaufort::beaufort_number(app.params.sea.first_system().wind_m_s);
     ui.horizontal(|ui| {
         ui.strong(tr("Wind"));
         let english = BEAUFORT_FORCES[force].name;
@@ -182,26 +179,8 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
         let name = if tr(english) == english { english.to_lowercase() } else { tr(english).to_owned() };
         ui.weak(say!("force {force}, {name}", force = force, name = name));
     });
-    let mut number = force as f64;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().slider_width = rows::slider_width(ui);
-        let slider = egui::Slider::new(&mut number, 0.0..=12.0).integer().show_value(false);
-        let help = tr("Sets the wind of this force, and a fetch for which the sea is as high as the scale says.");
-        let slider = ui.add(slider);
-        touch::keep_value_while_scrolling(ui, &slider, &mut number, force as f64);
-        rows::explain(ui, with_accessible_value(slider, tr("Beaufort"), number), help);
-        let mut shown = wind_m_s * speed.factor;
-        let exact = egui::DragValue::new(&mut shown).range(0.0..=60.0 * speed.factor).speed(0.1).max_decimals(1);
-        let exact = exact.suffix(speed.suffix()).custom_parser(move |text| parse_wind(text, speed));
-        let exact = with_accessible_value(ui.add(exact), tr("Wind speed"), wind_m_s);
-        if exact.on_hover_text(tr("Wind speed 10 m above the sea; 25 kn, 12 m/s and 7 bft are understood.")).changed() {
-            app.params.sea.systems[0].wind_m_s = round_to_significant_digits(shown / speed.factor);
-        }
-    });
-    let number = number.round() as usize;
-    if number != force {
-        app.params = BEAUFORT_FORCES[number].apply(&app.params);
-    }
+    ui.horizontal(|ui| show_force_slider(app, ui));
+    let force = beaufort::beaufort_number(app.params.sea.first_system().wind_m_s);
     let force = &BEAUFORT_FORCES[force];
     let metres = app.length_scale();
     let hs_m = app.derived.theoretical_statistics.hs_m;
@@ -214,6 +193,31 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
         code = code,
         word = tr(word),
     ));
+}
+
+/// Adds the slider of the wind's force, and the field of its speed.
+pub fn show_force_slider(app: &mut App, ui: &mut egui::Ui) {
+    let speed = UnitScale::for_unit("m/s", app.params.screen.units);
+    let wind_m_s = app.params.sea.first_system().wind_m_s;
+    let force = beaufort::beaufort_number(wind_m_s);
+    let mut number = force as f64;
+    ui.spacing_mut().slider_width = rows::slider_width(ui);
+    let slider = egui::Slider::new(&mut number, 0.0..=12.0).integer().show_value(false);
+    let help = tr("Sets the wind of this force, and a fetch for which the sea is as high as the scale says.");
+    let slider = ui.add(slider);
+    touch::keep_value_while_scrolling(ui, &slider, &mut number, force as f64);
+    rows::explain(ui, with_accessible_value(slider, tr("Beaufort"), number), help);
+    let mut shown = wind_m_s * speed.factor;
+    let exact = egui::DragValue::new(&mut shown).range(0.0..=60.0 * speed.factor).speed(0.1).max_decimals(1);
+    let exact = exact.suffix(speed.suffix()).custom_parser(move |text| parse_wind(text, speed));
+    let exact = with_accessible_value(ui.add(exact), tr("Wind speed"), wind_m_s);
+    if exact.on_hover_text(tr("Wind speed 10 m above the sea; 25 kn, 12 m/s and 7 bft are understood.")).changed() {
+        app.params.sea.systems[0].wind_m_s = round_to_significant_digits(shown / speed.factor);
+    }
+    let number = number.round() as usize;
+    if number != force {
+        app.params = BEAUFORT_FORCES[number].apply(&app.params);
+    }
 }
 
 /// Reads a typed wind speed in the shown unit `speed`, in another unit that is named, or in Beaufort ("7 bft").

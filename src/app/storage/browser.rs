@@ -1,7 +1,7 @@
 //! Storage of the web page: downloads for saved files, and the browser's local storage for the user's own named seas.
 //! The functions are the same as in desktop.rs.
 
-use super::{DAMAGED_SEAS_FILE_NAME, PREFERENCES_FILE_NAME, SEAS_FILE_NAME};
+use super::{DAMAGED_SEAS_FILE_NAME, PANEL_PLACE_FILE_NAME, PREFERENCES_FILE_NAME, SEAS_FILE_NAME};
 use std::path::Path;
 use wasm_bindgen::{JsCast as _, JsValue};
 
@@ -37,6 +37,19 @@ pub fn load_preferences() -> String {
 /// One sentence, if the browser refuses to store them.
 pub fn store_preferences(text: &str) -> Result<(), String> {
     store_item(PREFERENCES_FILE_NAME, text)
+}
+
+/// Loads the stored text about place and width of the panel; empty if there is none.
+pub fn load_panel_place() -> String {
+    load_item(PANEL_PLACE_FILE_NAME)
+}
+
+/// Stores the text about place and width of the panel in place of the old one. The folder is ignored.
+///
+/// # Errors
+/// One sentence, if the browser refuses to store it.
+pub fn store_panel_place(_folder: Option<&Path>, text: &str) -> Result<(), String> {
+    store_item(PANEL_PLACE_FILE_NAME, text)
 }
 
 /// Copies the stored list of the user's own named seas to a second key of the browser's storage, over an older copy.

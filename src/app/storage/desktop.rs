@@ -1,6 +1,6 @@
 //! Storage of the desktop window: files in the user's folders.
 
-use super::{DAMAGED_SEAS_FILE_NAME, PREFERENCES_FILE_NAME, SEAS_FILE_NAME};
+use super::{DAMAGED_SEAS_FILE_NAME, PANEL_PLACE_FILE_NAME, PREFERENCES_FILE_NAME, SEAS_FILE_NAME};
 use std::io::{ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -48,6 +48,21 @@ pub fn load_preferences() -> String {
 /// One sentence with the reason, if the file cannot be written.
 pub fn store_preferences(text: &str) -> Result<(), String> {
     store_text(&data_path(PREFERENCES_FILE_NAME)?, text)
+}
+
+/// Loads the stored text about place and width of the panel; empty if there is none.
+pub fn load_panel_place() -> String {
+    data_path(PANEL_PLACE_FILE_NAME).ok().and_then(|path| read_text(&path)).unwrap_or_default()
+}
+
+/// Stores the text about place and width of the panel in place of the old one: in `folder` if the app has a folder of its
+/// own for files, else in the folder of the program's data.
+///
+/// # Errors
+/// One sentence with the reason, if the file cannot be written.
+pub fn store_panel_place(folder: Option<&Path>, text: &str) -> Result<(), String> {
+    let path = folder.map_or_else(|| data_path(PANEL_PLACE_FILE_NAME), |f| Ok(f.join(PANEL_PLACE_FILE_NAME)))?;
+    store_text(&path, text)
 }
 
 fn read_text(path: &Path) -> Option<String> {

@@ -5,6 +5,7 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, Kernel};
 use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
+use std::cell::RefCell;
 
 /// Largest number of times that the picture is halved in width and height for bloom.
 const MAX_LEVELS: usize = 8;
@@ -24,6 +25,8 @@ pub struct BloomPass {
 struct MipChain {
     steps: Vec<BloomStep>,
     result: wgpu::TextureView,
+    /// All textures of the chain, which are destroyed with it.
+    textures: Vec<wgpu::Texture>,
 }
 
 /// One compute dispatch of bloom, which halves a picture in width and height or adds it to the next larger one.
@@ -50,6 +53,9 @@ impl BloomPass {
 
     /// Allocates the textures of bloom for an HDR picture (view; width and height in pixels); None turns bloom off.
     pub fn set_picture(&mut self, gpu: &Gpu, picture: Option<(&wgpu::TextureView, [u32; 2])>) {
+        for texture in self.chain.take().iter().flat_map(|chain| &chain.textures) {
+            texture.destroy();
+        }
         self.chain = picture.map(|(hdr, size)| self.create_chain(gpu, hdr, size));
     }
 
@@ -69,10 +75,13 @@ impl BloomPass {
     }
 
     fn create_chain(&self, gpu: &Gpu, hdr: &wgpu::TextureView, size: [u32; 2]) -> MipChain {
+        let textures = RefCell::<Vec<wgpu::Texture>>::default();
         let view = |size: [u32; 2]| {
             let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::STORAGE_BINDING;
             let texture = gpu.texture("bloom", [size[0], size[1], 1], 1, self.format, usage);
-            texture.create_view(&wgpu::TextureViewDescriptor::default())
+            let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+            textures.borrow_mut().push(texture);
+            view
         };
         let bind = |kernel: &Kernel, source: &wgpu::TextureView, out: &wgpu::TextureView, finer: &wgpu::TextureView| {
             use wgpu::BindingResource::{Sampler, TextureView};
@@ -102,6 +111,7 @@ impl BloomPass {
             steps.push(BloomStep { is_downsampling: false, group, size: sizes[i] });
             result = out;
         }
-        MipChain { steps, result }
+        let textures = textures.into_inner();
+        MipChain { steps, result, textures }
     }
 }

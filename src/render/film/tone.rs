@@ -116,8 +116,10 @@ impl TonePass {
     /// textures if `film` has bloom. No-op if unchanged. Returns the finished picture.
     pub fn set_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) -> &wgpu::TextureView {
         let has_bloom = film.bloom > 0.0;
-        let known = self.picture.take().filter(|p| p.hdr == *hdr && p.has_bloom == has_bloom);
-        let picture = known.unwrap_or_else(|| self.bind_picture(gpu, hdr, has_bloom));
+        if let Some(old) = self.picture.take_if(|p| p.hdr != *hdr || p.has_bloom != has_bloom) {
+            old.finished.texture().destroy();
+        }
+        let picture = self.picture.take().unwrap_or_else(|| self.bind_picture(gpu, hdr, has_bloom));
         &self.picture.insert(picture).finished
     }
 

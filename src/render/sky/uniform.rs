@@ -34,7 +34,7 @@ impl FogUniform {
     fn new(look: &SkyLook) -> Self {
         let fog = 0.001 * look.fog_extinction_per_km;
         let rain = rain::extinction_per_m(look.rain_mm_h);
-        let rain_share = if rain > 0.0 { rain / (fog + rain) } else { 0.0 };
+        let rain_share = rain_share(look);
         let mean = |of_fog: f64, of_rain: f64| (of_fog + rain_share * (of_rain - of_fog)) as f32;
         Self {
             extinction_per_m: (fog + rain) as f32,
@@ -43,6 +43,17 @@ impl FogUniform {
             top_m: mean(look.fog_top_m, RAIN_TOP_M),
         }
     }
+}
+
+/// Share of the rain in the extinction of fog and rain together, 0 to 1.
+fn rain_share(look: &SkyLook) -> f64 {
+    let rain = rain::extinction_per_m(look.rain_mm_h);
+    if rain > 0.0 { rain / (0.001 * look.fog_extinction_per_km + rain) } else { 0.0 }
+}
+
+/// Linear RGB colour of the light that fog and rain scatter; rain is white.
+fn fog_tint(look: &SkyLook) -> [f32; 3] {
+    linear_rgb(look.fog_colour).map(|c| (c + rain_share(look) * (1.0 - c)) as f32)
 }
 
 gpu_struct! {
@@ -86,9 +97,10 @@ gpu_struct! {
         sun_heading: [f32; 2],
         /// 1 if there are volumetric clouds, else 0.
         has_cloud_dome: f32,
-        unused_0: u32,
-        unused_1: u32,
-        unused_2: u32,
+        /// Red, green and blue part of the light that the fog scatters, from the setting of its colour; 1 is white.
+        fog_red: f32,
+        fog_green: f32,
+        fog_blue: f32,
     }
 }
 
@@ -132,6 +144,9 @@ impl SkyUniform {
             eye_height_km: 0.0,
             horizon_dip: 0.0,
             fog: FogUniform { extinction_per_m: 0.0, start_m: 0.0, scale_height_m: 0.0, top_m: 0.0 },
+            fog_red: 1.0,
+            fog_green: 1.0,
+            fog_blue: 1.0,
             ..*self
         }
     }
@@ -144,6 +159,7 @@ impl SkyUniform {
         let file = look.panorama();
         let image_gain = look.file_gain_ev.exp2();
         let scaled = |e: [f64; 3]| e.map(|e| (e * image_gain) as f32);
+        let [fog_red, fog_green, fog_blue] = fog_tint(look);
         Self {
             sun_direction: sun.map(|x| x as f32),
             haze: look.haze as f32,
@@ -165,9 +181,9 @@ impl SkyUniform {
             image_heading_turns: (look.file_heading_deg / 360.0) as f32,
             sun_heading: glam::dvec2(sun[0], sun[2]).normalize_or(glam::DVec2::X).as_vec2().to_array(),
             has_cloud_dome: f32::from(u8::from(look.drawn_clouds() != CloudKind::None)),
-            unused_0: 0,
-            unused_1: 0,
-            unused_2: 0,
+            fog_red,
+            fog_green,
+            fog_blue,
         }
     }
 }

@@ -83,6 +83,9 @@ parameters! {
         fog_scale_height_m: f64 = 30.0 => ("fogfalloff", "Fog falls off", "m", logarithmic(1.0, 2000.0)),
         /// Height of the fog's top above the still water; below it the fog has its full density.
         fog_top_m: f64 = 20.0 => ("fogheight", "Fog top", "m", number(0.0, 2000.0)),
+        /// Colour of the light that the fog scatters: white is a fog of droplets, brown one of dust or smoke. It does not
+        /// change how far one sees, nor the colour of rain.
+        fog_colour: f64 = WHITE_RGB => ("fogcolour", "Fog colour", "", Colour),
         /// Rain on the sea and in the air above it: 1 is light, 10 heavy, 50 a cloudburst. It hides what is far away and
         /// roughens the water, but makes no clouds: `clouds=storm` or `overcast=1` suit it. A camera under water sees no
         /// drops.

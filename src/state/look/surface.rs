@@ -45,8 +45,9 @@ parameters! {
         /// Brightness of the light that shines through wave crests, most of all through high and sharp ones; 1 is
         /// physical.
         crest_transmission: f64 = 1.0 => ("heightscatter", "Scattering by height", "", number(0.0, 10.0)),
-        /// How much the light scattered out of the water depends on the viewing angle (reflection strength of the
-        /// scattering); 1 is physical, 0 is no dependence.
+        /// How much the light scattered out of the water depends on the viewing angle: 1 is single scattering, brighter
+        /// towards flat angles; 0 is no dependence. The factor on cos^2 of view and normal in game shaders (k2), which
+        /// brightens water seen from above, has this place, but not this meaning.
         scatter_view_dependence: f64 = 1.0 => ("viewscatter", "Scattering by view", "", number(0.0, 4.0)),
         /// Factor on the sunlight that the water scatters back; 1 is physical.
         diffuse_strength: f64 = 1.0 => ("diffuse", "Diffuse strength", "", number(0.0, 5.0)),
@@ -135,7 +136,8 @@ parameters! {
 parameters! {
     /// Appearance of whitecaps.
     pub struct FoamLook {
-        /// Factor on the visible foam; 1 shows the coverage that the simulation computes.
+        /// Factor on the visible foam; 1 shows the coverage that the simulation computes. It changes what is seen, not what
+        /// breaks (foambias, foamrate): 0 hides the foam and leaves the bubbles under it (bubbles).
         coverage_factor: f64 = 1.0 => ("foam", "Foam shown", "", number(0.0, 2.0)),
         /// Colour of the foam.
         colour: f64 = WHITE_RGB => ("foamcolour", "Foam colour", "", Colour),
