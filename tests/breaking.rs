@@ -287,7 +287,7 @@ fn fronts_have_the_speeds_of_breakers() {
         let (speed, slope) = mean_speed_and_slope(&fronts);
         let drawn = [fronts.drawn_front, fronts.beside].map(|x| x / fronts.foam);
         // `foam_amount` with its constants.
-        let shown = drawn[0] + drawn[1] * (1.0 - 0.36) / (1.0 - 0.24);
+        let shown = drawn[0] + drawn[1] * (1.0 - 0.32) / (1.0 - 0.18);
         eprintln!(
             "wind {wind}: cp {cp:.1} m/s, mean speed {speed:.2} m/s, then slope {slope:.2}; foam {:.5} (Monahan {:.5}), \
              from its fronts {white:.5}; exposure {exposure_s:.2} s; drawn fronts {:.3} and foam beside {:.3}, shown \

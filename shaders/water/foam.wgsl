@@ -11,7 +11,7 @@ const FOAM_FRONT_RANGE = vec2f(0.3, 0.65);
 const FOAM_FULL_FRONT = 0.96;
 // Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
 // the mean of fronts and of the rest is that of the simulated foam, within 3 % in winds of 10 to 20 m/s.
-const FOAM_FRONT_SHARES = vec2f(0.36, 0.24);
+const FOAM_FRONT_SHARES = vec2f(0.32, 0.18);
 // Mean of the plume relative to that of the foam.
 const FOAM_MEAN_PLUME_RATIO = 1.4;
 // Amount of foam, 0 to 1, below which none is drawn.
