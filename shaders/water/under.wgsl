@@ -10,12 +10,22 @@ const UNDER_SURE_M = 0.05;
 // Distance, m. A ray that begins within millimetres of the surface leaves the water before it gets so far, so a farther
 // surface does not tell on which side the ray began.
 const UNDER_FAR_M = 2.0;
-// Half the width of the dark line of the meniscus, divided by the picture's height.
-const UNDER_MENISCUS = 0.006;
+// Capillary length of sea water, m. Water climbs the lens by twice its root above the surface, in the profile of a wall
+// that water wets (Landau and Lifshitz, Fluid Mechanics, section 61).
+const UNDER_CAPILLARY_M = 0.0027;
+const UNDER_CLIMB_M = 1.41421 * UNDER_CAPILLARY_M;
+// Half the width of a rim below which a near crest shows its lower side, divided by the picture's height.
+const UNDER_RIM = 0.003;
+// Share of the climb over which its upper edge is dark, and how dark it is.
+const UNDER_EDGE = 0.3;
+const UNDER_EDGE_DARK = 0.55;
 // Binary logarithm of the size of the surface, m, through which the water in the picture is lit.
 const UNDER_LOG_LIT_M = 5.0;
-// Number of pixels around one that tell how far it is from the line.
-const UNDER_TAPS = 8;
+// Number of halvings in the search for the waterline in a column of pixels, number of columns, and the distance of two, in
+// pixels. Their mean smooths the steps of a line that is found pixel by pixel.
+const UNDER_HALVINGS = 5;
+const UNDER_COLUMNS = 5;
+const UNDER_COLUMN_STEP = 3;
 
 // As mesh_fragment, but with a negative side where the pixel shows the water from below.
 @fragment
@@ -56,21 +66,72 @@ fn under_begins(pixel: vec2i, ray: vec3f) -> bool {
     return false;
   }
   let size = vec2i(textureDimensions(depth_map));
-  let down = i32(ceil(0.5 * UNDER_MENISCUS * f32(size.y)));
+  let down = i32(ceil(UNDER_RIM * f32(size.y)));
   let below = vec2i(pixel.x, min(pixel.y + down, size.y - 1));
   return under_begins_alone(below, ray - frame.up * (2.0 * f32(below.y - pixel.y) / f32(size.y)));
 }
 
-// Share of the pixels above one, up to the width of the meniscus, whose rays begin in the air, 0 to 1.
-fn under_air_above(pixel: vec2i, ray: vec3f) -> f32 {
-  let rows = f32(textureDimensions(depth_map).y);
-  var air = 0.0;
-  for (var i = 0; i < UNDER_TAPS; i++) {
-    let up = round(UNDER_MENISCUS * rows * (f32(i) + 1.0) / f32(UNDER_TAPS));
-    let at = vec2i(pixel.x, max(pixel.y - i32(up), 0));
-    air += select(1.0, 0.0, under_begins(at, ray + frame.up * (2.0 * f32(pixel.y - at.y) / rows)));
+// How far a pixel lies above the waterline on the lens, in climbs of the meniscus, or more than 1 far above it.
+fn under_rise(pixel: vec2i, ray: vec3f) -> f32 {
+  let size = vec2i(textureDimensions(depth_map));
+  let rows_per_m = 0.5 * f32(size.y) / (frame.clip_from_relative[3].z * length(frame.up));
+  let climb = max(UNDER_CLIMB_M * rows_per_m, 1.0);
+  let per_row = frame.up * (2.0 / f32(size.y));
+  let per_column = frame.right * (2.0 / f32(size.x));
+  var sum = 0.0;
+  for (var c = 0; c < UNDER_COLUMNS; c++) {
+    let aside = clamp(pixel.x + (c - UNDER_COLUMNS / 2) * UNDER_COLUMN_STEP, 0, size.x - 1) - pixel.x;
+    // The waterline lies between these rows, counted down from the pixel.
+    var air = -0.5 * climb;
+    var water = 1.5 * climb;
+    for (var i = 0; i < UNDER_HALVINGS; i++) {
+      let middle = 0.5 * (air + water);
+      let row = clamp(pixel.y + i32(round(middle)), 0, size.y - 1);
+      let there = ray + per_column * f32(aside) - per_row * f32(row - pixel.y);
+      if under_begins(vec2i(pixel.x + aside, row), there) {
+        water = middle;
+      } else {
+        air = middle;
+      }
+    }
+    sum += 0.5 * (air + water);
   }
-  return air / f32(UNDER_TAPS);
+  return sum / (f32(UNDER_COLUMNS) * climb);
+}
+
+// What the meniscus makes of a ray.
+struct UnderMeniscus {
+  // Direction in which it goes on, and the fraction of its light that comes from the sky, mirrored by the water, and from
+  // below.
+  dir: vec3f,
+  sky: f32,
+  water: f32,
+  // Sky that a ray sees that leaves the water but does not go down.
+  is_open: bool,
+}
+
+// A ray that goes through the meniscus at the height `rise`, in climbs. There the surface is inclined by the angle a, with
+// the height 2 sin(a / 2) in capillary lengths. In the lower half it reflects all light, in the upper half it is a prism.
+fn under_bent(dir: vec3f, rise: f32) -> UnderMeniscus {
+  let half_sine = rise * (0.5 * UNDER_CLIMB_M / UNDER_CAPILLARY_M);
+  let incline = 2.0 * asin(clamp(half_sine, 0.0, 0.70711));
+  // Sine of the angle between the ray and the normal, for a level ray.
+  let outside = material.relative_index * cos(incline);
+  var out = UnderMeniscus(dir, 0.0, 1.0, false);
+  var turn = 2.0 * incline;
+  if outside < 1.0 {
+    turn = asin(outside) - (0.5 * ATM_PI - incline);
+  }
+  let elevation = asin(clamp(dir.y, -1.0, 1.0)) - turn;
+  let ahead = dir.xz * inverseSqrt(max(dot(dir.xz, dir.xz), 1e-6));
+  out.dir = vec3f(ahead * cos(elevation), sin(elevation)).xzy;
+  if outside < 1.0 {
+    // The ray meets the water close to the lens.
+    out.is_open = elevation >= 0.0;
+    out.sky = select(water_fresnel(-out.dir.y), 1.0, out.is_open);
+    out.water = (1.0 - out.sky) * material.inverse_relative_index * material.inverse_relative_index;
+  }
+  return out;
 }
 
 // Radiance of the water's surface at `place`, relative to the eye, seen along `dir` from below.
@@ -110,6 +171,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let dx = frame.footprint_scale * x.side;
   let dy = frame.footprint_scale * y.side;
   let begins = under_begins(pixel, in.ray);
+  let is_near = abs(under_estimate_m(in.ray)) < UNDER_SURE_M;
   let shows_ceiling = begins && is_water;
   let foot = water_footprint(dx, dy);
   var place = vec3f(0.0);
@@ -123,17 +185,26 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shows_ceiling);
   let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && shows_ceiling);
+  var bent = UnderMeniscus(normalize(in.ray), 0.0, 1.0, false);
+  var rise = 0.0;
   if !begins {
-    discard;
+    rise = 2.0;
+    if is_near {
+      rise = under_rise(pixel, in.ray);
+    }
+    if rise >= 1.0 {
+      discard;
+    }
+    bent = under_bent(bent.dir, max(rise, 0.0));
   }
-  let dir = normalize(in.ray);
+  let dir = bent.dir;
   let depth_m = shafts_eye_depth_m();
   var length_m = 1e4;
   var radiance = vec3f(0.0);
   if shows_ceiling {
-    let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
+    let bent_slope = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
     length_m = length(place);
-    radiance = under_surface(dir, place, at, foot, bent);
+    radiance = under_surface(dir, place, at, foot, bent_slope);
   } else if dir.y > 1e-3 {
     length_m = depth_m / dir.y;
   } else if WATER_BED {
@@ -147,9 +218,14 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   let gain = shafts_gain(shafts_map, dir, depth_m, length_m);
   radiance = radiance * medium_transmittance(length_m) + medium_radiance(dir, depth_m, length_m, gain);
-  // The water that clings to the lens bends the rays at its rim down into the dark.
-  if abs(under_estimate_m(in.ray)) < UNDER_SURE_M {
-    radiance *= 1.0 - 0.6 * maths_smooth(1.4 * under_air_above(pixel, in.ray));
+  if !begins {
+    let lifted = vec3f(dir.x, abs(dir.y), dir.z);
+    let uv = 0.5 + MIRRORED_SCALE * lifted.xz / (1.0 + lifted.y);
+    let sky_there = textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), 0.0), 0.0).rgb;
+    radiance = radiance * bent.water + sky_there * bent.sky;
+    // The edge of the water on the lens is in shade.
+    radiance *= 1.0 - UNDER_EDGE_DARK * smoothstep(1.0 - UNDER_EDGE, 1.0, rise);
+    return frame_hdr_output(radiance, 1.0);
   }
   return frame_hdr_output(radiance, 1.0 / length_m);
 }
