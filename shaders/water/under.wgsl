@@ -16,14 +16,21 @@ const UNDER_CAPILLARY_M = 0.0027;
 const UNDER_CLIMB_M = 1.41421 * UNDER_CAPILLARY_M;
 // Half the width of a rim below which a near crest shows its lower side, divided by the picture's height.
 const UNDER_RIM = 0.003;
-// Share of the climb over which its upper edge is dark, and how dark it is.
-const UNDER_EDGE = 0.3;
-const UNDER_EDGE_DARK = 0.55;
+// Share of the climb over which its upper edge is dark, and how dark it is; and the same for the waterline itself, on both
+// sides.
+const UNDER_EDGE = vec2f(0.35, 0.6);
+const UNDER_LINE = vec2f(0.45, 0.55);
+// Share of its light that is left in the water on the lens, which the housing of the camera shades.
+const UNDER_SHADE = 0.6;
+const UNDER_EDGE_DISTANCE_M = 50.0;
+// The curved water magnifies and blurs: size of a pixel on the bed that it shows, relative to one without it.
+const UNDER_BLUR = 24.0;
 // Binary logarithm of the size of the surface, m, through which the water in the picture is lit.
 const UNDER_LOG_LIT_M = 5.0;
-// Number of halvings in the search for the waterline in a column of pixels, number of columns, and the distance of two, in
-// pixels. Their mean smooths the steps of a line that is found pixel by pixel.
-const UNDER_HALVINGS = 5;
+// The search for the waterline in a column of pixels: its reach up and down, in climbs, and the number of halvings. Number
+// of columns, and the distance of two, in pixels: their mean smooths the steps of a line that is found pixel by pixel.
+const UNDER_REACH = 1.3;
+const UNDER_HALVINGS = 6;
 const UNDER_COLUMNS = 5;
 const UNDER_COLUMN_STEP = 3;
 
@@ -71,30 +78,36 @@ fn under_begins(pixel: vec2i, ray: vec3f) -> bool {
   return under_begins_alone(below, ray - frame.up * (2.0 * f32(below.y - pixel.y) / f32(size.y)));
 }
 
-// How far a pixel lies above the waterline on the lens, in climbs of the meniscus, or more than 1 far above it.
-fn under_rise(pixel: vec2i, ray: vec3f) -> f32 {
+// Whether a pixel begins under water that lies `rows` below one with the ray `ray` and `columns` to its right.
+fn under_begins_beside(pixel: vec2i, ray: vec3f, columns: i32, rows: i32) -> bool {
   let size = vec2i(textureDimensions(depth_map));
-  let rows_per_m = 0.5 * f32(size.y) / (frame.clip_from_relative[3].z * length(frame.up));
+  let at = clamp(pixel + vec2i(columns, rows), vec2i(0), size - 1);
+  let step = 2.0 * vec2f(at - pixel) / vec2f(size);
+  return under_begins(at, ray + frame.right * step.x - frame.up * step.y);
+}
+
+// How far a pixel lies above the waterline on the lens, in climbs of the meniscus; 2 and -2 stand for far above and below.
+fn under_rise(pixel: vec2i, ray: vec3f, begins: bool) -> f32 {
+  let far = select(2.0, -2.0, begins);
+  if abs(under_estimate_m(ray)) > UNDER_SURE_M {
+    return far;
+  }
+  let rows_per_m = 0.5 * f32(textureDimensions(depth_map).y) / (frame.clip_from_relative[3].z * length(frame.up));
   let climb = max(UNDER_CLIMB_M * rows_per_m, 1.0);
-  let per_row = frame.up * (2.0 / f32(size.y));
-  let per_column = frame.right * (2.0 / f32(size.x));
+  let reach = select(1.0, -1.0, begins) * UNDER_REACH * climb;
+  if under_begins_beside(pixel, ray, 0, i32(round(reach))) == begins {
+    return far;
+  }
   var sum = 0.0;
   for (var c = 0; c < UNDER_COLUMNS; c++) {
-    let aside = clamp(pixel.x + (c - UNDER_COLUMNS / 2) * UNDER_COLUMN_STEP, 0, size.x - 1) - pixel.x;
     // The waterline lies between these rows, counted down from the pixel.
-    var air = -0.5 * climb;
-    var water = 1.5 * climb;
+    var rows = vec2f(-UNDER_REACH, UNDER_REACH) * climb;
     for (var i = 0; i < UNDER_HALVINGS; i++) {
-      let middle = 0.5 * (air + water);
-      let row = clamp(pixel.y + i32(round(middle)), 0, size.y - 1);
-      let there = ray + per_column * f32(aside) - per_row * f32(row - pixel.y);
-      if under_begins(vec2i(pixel.x + aside, row), there) {
-        water = middle;
-      } else {
-        air = middle;
-      }
+      let middle = 0.5 * (rows.x + rows.y);
+      let is_water = under_begins_beside(pixel, ray, (c - UNDER_COLUMNS / 2) * UNDER_COLUMN_STEP, i32(round(middle)));
+      rows = select(vec2f(middle, rows.y), vec2f(rows.x, middle), is_water);
     }
-    sum += 0.5 * (air + water);
+    sum += 0.5 * (rows.x + rows.y);
   }
   return sum / (f32(UNDER_COLUMNS) * climb);
 }
@@ -171,7 +184,6 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let dx = frame.footprint_scale * x.side;
   let dy = frame.footprint_scale * y.side;
   let begins = under_begins(pixel, in.ray);
-  let is_near = abs(under_estimate_m(in.ray)) < UNDER_SURE_M;
   let shows_ceiling = begins && is_water;
   let foot = water_footprint(dx, dy);
   var place = vec3f(0.0);
@@ -186,12 +198,8 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shows_ceiling);
   let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && shows_ceiling);
   var bent = UnderMeniscus(normalize(in.ray), 0.0, 1.0, false);
-  var rise = 0.0;
+  let rise = under_rise(pixel, in.ray, begins);
   if !begins {
-    rise = 2.0;
-    if is_near {
-      rise = under_rise(pixel, in.ray);
-    }
     if rise >= 1.0 {
       discard;
     }
@@ -210,7 +218,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   } else if WATER_BED {
     let hit = floor_hit(dir, depth_m);
     length_m = hit.length_m;
-    radiance = floor_radiance(hit, dir);
+    radiance = floor_radiance(hit, dir, select(UNDER_BLUR, 1.0, begins));
   }
   if SKY_CLOUD_SHADOWS {
     // Sunlight in the water comes from the surface around the eye.
@@ -222,10 +230,12 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
     let lifted = vec3f(dir.x, abs(dir.y), dir.z);
     let uv = 0.5 + MIRRORED_SCALE * lifted.xz / (1.0 + lifted.y);
     let sky_there = textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), 0.0), 0.0).rgb;
-    radiance = radiance * bent.water + sky_there * bent.sky;
-    // The edge of the water on the lens is in shade.
-    radiance *= 1.0 - UNDER_EDGE_DARK * smoothstep(1.0 - UNDER_EDGE, 1.0, rise);
-    return frame_hdr_output(radiance, 1.0);
+    radiance = (radiance * bent.water + sky_there * bent.sky) * mix(1.0, UNDER_SHADE, smoothstep(0.0, 0.4, rise));
+    // The edge of the water on the lens is in shade. Its distance is unlike that of all around it, so that the film smooths
+    // it.
+    radiance *= 1.0 - UNDER_EDGE.y * smoothstep(1.0 - UNDER_EDGE.x, 1.0, rise);
+    length_m = UNDER_EDGE_DISTANCE_M;
   }
+  radiance *= 1.0 - UNDER_LINE.y * smoothstep(UNDER_LINE.x, 0.0, abs(rise));
   return frame_hdr_output(radiance, 1.0 / length_m);
 }
