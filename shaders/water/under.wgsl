@@ -16,8 +16,7 @@ const UNDER_CAPILLARY_M = 0.0027;
 const UNDER_CLIMB_M = 1.41421 * UNDER_CAPILLARY_M;
 // Half the width of a rim below which a near crest shows its lower side, divided by the picture's height.
 const UNDER_RIM = 0.003;
-// Share of the climb over which its upper edge is dark, and how dark it is; and the same for the waterline itself, on both
-// sides.
+// Share of the climb over which its upper edge is dark, and how dark it is; the same for the waterline, on both sides.
 const UNDER_EDGE = vec2f(0.35, 0.6);
 const UNDER_LINE = vec2f(0.45, 0.55);
 // Share of its light that is left in the water on the lens, which the housing of the camera shades.
@@ -27,8 +26,9 @@ const UNDER_EDGE_DISTANCE_M = 50.0;
 const UNDER_BLUR = 24.0;
 // Binary logarithm of the size of the surface, m, through which the water in the picture is lit.
 const UNDER_LOG_LIT_M = 5.0;
-// The search for the waterline in a column of pixels: its reach up and down, in climbs, and the number of halvings. Number
-// of columns, and the distance of two, in pixels: their mean smooths the steps of a line that is found pixel by pixel.
+// The search for the waterline in a column of pixels: its reach up and down, in climbs, and the number of halvings.
+// Number of columns, and the distance of two, in pixels: their mean smooths the steps of a line that is found pixel by
+// pixel.
 const UNDER_REACH = 1.3;
 const UNDER_HALVINGS = 6;
 const UNDER_COLUMNS = 5;
@@ -86,7 +86,8 @@ fn under_begins_beside(pixel: vec2i, ray: vec3f, columns: i32, rows: i32) -> boo
   return under_begins(at, ray + frame.right * step.x - frame.up * step.y);
 }
 
-// How far a pixel lies above the waterline on the lens, in climbs of the meniscus; 2 and -2 stand for far above and below.
+// How far a pixel lies above the waterline on the lens, in climbs of the meniscus; 2 and -2 stand for far above and
+// below.
 fn under_rise(pixel: vec2i, ray: vec3f, begins: bool) -> f32 {
   let far = select(2.0, -2.0, begins);
   if abs(under_estimate_m(ray)) > UNDER_SURE_M {
@@ -114,23 +115,20 @@ fn under_rise(pixel: vec2i, ray: vec3f, begins: bool) -> f32 {
 
 // What the meniscus makes of a ray.
 struct UnderMeniscus {
-  // Direction in which it goes on, and the fraction of its light that comes from the sky, mirrored by the water, and from
-  // below.
+  // Direction in which it goes on, and the fractions of its light that come from the sky, seen or mirrored, and from below.
   dir: vec3f,
   sky: f32,
   water: f32,
-  // Sky that a ray sees that leaves the water but does not go down.
-  is_open: bool,
 }
 
-// A ray that goes through the meniscus at the height `rise`, in climbs. There the surface is inclined by the angle a, with
-// the height 2 sin(a / 2) in capillary lengths. In the lower half it reflects all light, in the upper half it is a prism.
+// A ray that goes through the meniscus at the height `rise`, in climbs. There the surface is inclined by the angle a: the
+// height is 2 sin(a / 2) capillary lengths. The lower half of the meniscus reflects all light, the upper is a prism.
 fn under_bent(dir: vec3f, rise: f32) -> UnderMeniscus {
   let half_sine = rise * (0.5 * UNDER_CLIMB_M / UNDER_CAPILLARY_M);
   let incline = 2.0 * asin(clamp(half_sine, 0.0, 0.70711));
   // Sine of the angle between the ray and the normal, for a level ray.
   let outside = material.relative_index * cos(incline);
-  var out = UnderMeniscus(dir, 0.0, 1.0, false);
+  var out = UnderMeniscus(dir, 0.0, 1.0);
   var turn = 2.0 * incline;
   if outside < 1.0 {
     turn = asin(outside) - (0.5 * ATM_PI - incline);
@@ -140,8 +138,7 @@ fn under_bent(dir: vec3f, rise: f32) -> UnderMeniscus {
   out.dir = vec3f(ahead * cos(elevation), sin(elevation)).xzy;
   if outside < 1.0 {
     // The ray meets the water close to the lens.
-    out.is_open = elevation >= 0.0;
-    out.sky = select(water_fresnel(-out.dir.y), 1.0, out.is_open);
+    out.sky = select(water_fresnel(-out.dir.y), 1.0, elevation >= 0.0);
     out.water = (1.0 - out.sky) * material.inverse_relative_index * material.inverse_relative_index;
   }
   return out;
@@ -197,7 +194,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shows_ceiling);
   let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && shows_ceiling);
-  var bent = UnderMeniscus(normalize(in.ray), 0.0, 1.0, false);
+  var bent = UnderMeniscus(normalize(in.ray), 0.0, 1.0);
   let rise = under_rise(pixel, in.ray, begins);
   if !begins {
     if rise >= 1.0 {
@@ -231,8 +228,8 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
     let uv = 0.5 + MIRRORED_SCALE * lifted.xz / (1.0 + lifted.y);
     let sky_there = textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), 0.0), 0.0).rgb;
     radiance = (radiance * bent.water + sky_there * bent.sky) * mix(1.0, UNDER_SHADE, smoothstep(0.0, 0.4, rise));
-    // The edge of the water on the lens is in shade. Its distance is unlike that of all around it, so that the film smooths
-    // it.
+    // The edge of the water on the lens is in shade. Its distance is unlike that of all around it, so that the film
+    // smooths it.
     radiance *= 1.0 - UNDER_EDGE.y * smoothstep(1.0 - UNDER_EDGE.x, 1.0, rise);
     length_m = UNDER_EDGE_DISTANCE_M;
   }
