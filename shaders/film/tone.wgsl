@@ -29,9 +29,10 @@ const TONE_FILM_GAMMA = 0.55;
 const TONE_FILM_SATURATION = 1.1;
 // Binary logarithm of the light of the brightest channel from which highlights fade no further.
 const TONE_FILM_WHITEST = 4.0;
-// Shoulder: binary logarithm of the light from which highlights are held back, and how strongly. Between these logarithms
-// the hold is released, so that the disc of the sun is white and the light around it keeps its hue.
-const TONE_FILM_SHOULDER = vec2f(0.5, 0.6);
+// Shoulder: highlights are held back from this binary logarithm of the light on, until they rise by no more than this
+// many doublings. Between the logarithms of the release the hold ends, so that the disc of the sun is white and the
+// light around it keeps its hue.
+const TONE_FILM_SHOULDER = vec2f(0.5, 2.02);
 const TONE_FILM_RELEASE = vec2f(6.0, 11.0);
 
 fn tone_film_response(log_light: vec4f) -> vec4f {
@@ -46,7 +47,8 @@ fn tone_film(linear: vec3f) -> vec3f {
   let logs = log2(light);
   let most = max(logs.r, max(logs.g, logs.b));
   let over = max(most - TONE_FILM_SHOULDER.x, 0.0);
-  let hold = (over - over / (1.0 + TONE_FILM_SHOULDER.y * over))
+  let bent = over * (1.0 / TONE_FILM_SHOULDER.y);
+  let hold = over * (1.0 - inverseSqrt(1.0 + bent * bent))
     * (1.0 - smoothstep(TONE_FILM_RELEASE.x, TONE_FILM_RELEASE.y, most));
   let held = most - hold;
   // Light brighter than TONE_FILM_WHITEST, such as the low sun, keeps the tint that light of that brightness has.
@@ -56,7 +58,7 @@ fn tone_film(linear: vec3f) -> vec3f {
   let own = TONE_OUT * response.rgb;
   let hue = white * exp2((TONE_FILM_CONTRAST * TONE_FILM_GAMMA) * (logs - most));
   let bleach = saturate(4.0 * white - 3.0);
-  let kept = mix(hue, own, 0.9 * bleach * bleach);
+  let kept = mix(hue, own, 0.8 * bleach * bleach);
   let both = 0.5 * (own + kept);
   let grey = sky_luminance(both);
   return clamp(grey + TONE_FILM_SATURATION * (both - grey), vec3f(0.0), vec3f(1.0));

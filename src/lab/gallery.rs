@@ -65,7 +65,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Spindrift",
         description: "Beaufort 10 against a low sun: the wind tears spray off the crests.",
-        state: "v=2&wind=26&fetch=500&dir=250&sun=8&sunaz=232&haze=0.6&clouds=cumulus&cloudcover=0.35&glints=1\
+        state: "v=2&wind=26&fetch=500&dir=250&sun=8&sunaz=232&haze=0.6&clouds=cumulus&glints=1\
                 &gusts=1&spray=1&bloom=0.04&y=3.5&heading=225&pitch=1&fov=40&t=20",
     },
     GalleryPicture {
@@ -110,7 +110,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Dusk",
         description: "The sun has just set behind scattered clouds.",
-        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&cloudcover=0.35&glints=1&gusts=1&bloom=0.04\
+        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&glints=1&gusts=1&bloom=0.04\
                 &y=3&heading=288&pitch=3&fov=40&t=40&afloat=yacht*-58*-13",
     },
     GalleryPicture {
@@ -123,7 +123,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "From the air",
         description: "A strong breeze from 55 m: whitecaps with their fading trails, a yacht with its wake, and \
                       cumulus to the horizon.",
-        state: "v=2&wind=11&fetch=200&sun=30&sunaz=60&clouds=cumulus&cloudcover=0.35&glints=1&gusts=1&bloom=0.04&y=55\
+        state: "v=2&wind=11&fetch=200&sun=30&sunaz=60&clouds=cumulus&glints=1&gusts=1&bloom=0.04&y=55\
                 &heading=0&pitch=-9&t=40&afloat=yacht*22*-120",
     },
 ];
