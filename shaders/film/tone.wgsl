@@ -33,6 +33,11 @@ const TONE_FILM_SATURATION = 1.1;
 const TONE_FILM_BLUE_TURN = 0.14;
 // Binary logarithm of the light of the brightest channel from which highlights fade no further.
 const TONE_FILM_WHITEST = 4.0;
+// Shoulder: highlights are held back from this binary logarithm of the light on, until they rise by no more than this
+// many doublings. Between the logarithms of the release the hold ends, so that the disc of the sun is white and the
+// light around it keeps its hue.
+const TONE_FILM_SHOULDER = vec2f(0.5, 2.02);
+const TONE_FILM_RELEASE = vec2f(6.0, 11.0);
 
 fn tone_film_response(log_light: vec4f) -> vec4f {
   let light = exp2(TONE_FILM_CONTRAST * log_light);
@@ -45,14 +50,19 @@ fn tone_film(linear: vec3f) -> vec3f {
   let light = clamp(linear, vec3f(1e-6), vec3f(1e6));
   let logs = log2(light);
   let most = max(logs.r, max(logs.g, logs.b));
+  let over = max(most - TONE_FILM_SHOULDER.x, 0.0);
+  let bent = over * (1.0 / TONE_FILM_SHOULDER.y);
+  let hold = over * (1.0 - inverseSqrt(1.0 + bent * bent))
+    * (1.0 - smoothstep(TONE_FILM_RELEASE.x, TONE_FILM_RELEASE.y, most));
+  let held = most - hold;
   // Light brighter than TONE_FILM_WHITEST, such as the low sun, keeps the tint that light of that brightness has.
-  let tinted = light * exp2(min(TONE_FILM_WHITEST - most, 0.0));
-  let response = tone_film_response(vec4f(log2(TONE_INTO * tinted), most));
+  let tinted = light * exp2(min(TONE_FILM_WHITEST, held) - most);
+  let response = tone_film_response(vec4f(log2(TONE_INTO * tinted), held));
   let white = response.w;
   let own = TONE_OUT * response.rgb;
   let hue = white * exp2((TONE_FILM_CONTRAST * TONE_FILM_GAMMA) * (logs - most));
   let bleach = saturate(4.0 * white - 3.0);
-  let kept = mix(hue, own, 0.9 * bleach * bleach);
+  let kept = mix(hue, own, 0.8 * bleach * bleach);
   let both = 0.5 * (own + kept);
   let grey = sky_luminance(both);
   var vivid = grey + TONE_FILM_SATURATION * (both - grey);

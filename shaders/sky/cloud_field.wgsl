@@ -1,6 +1,15 @@
 // Density of the clouds at a point. Positions are in km in the frame of the field: x along the wind, y above the sea, z
 // across the wind. Needs the module variables cloud_field, weather_map, cloud_noise_map and cloud_sampler.
 
+// Cirrus: shift of its fibres by the bends of the wind, in sides of the noise; fall of a patch's density towards its
+// edge, 1/km; mean density of its fibres, and the density below which they have dissolved, relative to the densest.
+const CIRRUS_BEND = 2.0;
+const CIRRUS_PATCH_PER_KM = 0.9;
+const CIRRUS_STRANDS = 0.45;
+const CIRRUS_DISSOLVED = 0.08;
+// Share of the noise's cuts that is left where a heap of cloud is thin.
+const CLOUD_THIN_CUT = 0.3;
+
 // How far a point lies inside the clouds before noise roughens them, km (x), negative outside; how far it lies below
 // their top, km (y); and the shift of the noise there, km (zw).
 fn cloud_depth(p: vec3f) -> vec4f {
@@ -22,22 +31,29 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   // Shifts hide that the noise repeats.
   let p = at + vec3f(place.z, 0.0, place.w);
   if cloud_field.kind == CLOUD_CIRRUS {
-    // Fibres are drawn out along the wind, and bent by its shear.
+    // Fibres are drawn out along the wind. Those side by side bend together, because the wind turns over tens of km.
     let s = cloud_field.shapes_per_km;
-    let wide_at = vec3f(p.x / 3.0, p.y, p.z) * (0.25 * s);
-    let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, wide_at, 0.0).b - 0.5;
-    let q = vec3f(p.x / 12.0, p.y, p.z + 0.4 * bend / s) * s;
-    let wide = textureSampleLevel(cloud_noise_map, cloud_sampler, q, 0.0).b;
-    let r = vec3f(p.x / 16.0, p.y, p.z + 0.4 * bend / s) * cloud_field.details_per_km;
+    let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, vec3f(p.x / 30.0, p.y, p.z / 14.0) * s, 0.0).b - 0.5;
+    let across = p.z + CIRRUS_BEND * bend / s;
+    // The cuts through the noise slant by the golden section, so that what lies side by side does not repeat.
+    let slanted = vec2f(p.y + 0.618 * across + 0.05 * p.x, across);
+    let wide = textureSampleLevel(cloud_noise_map, cloud_sampler, vec3f(p.x / 13.0, 0.6 * slanted) * s, 0.0).b;
+    let r = vec3f(p.x / 21.0 + 0.4 * bend, slanted) * cloud_field.details_per_km;
     let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, r, 0.0).b;
-    let fibres = cloud_field.shape_amplitude * (wide - 0.58) + detail * cloud_field.detail_amplitude * (fine - 0.5);
-    return depth + fibres;
+    // Fibres thin out at their ends and towards the edge of a patch.
+    let cover = 0.5 + CIRRUS_PATCH_PER_KM * depth;
+    let strands = CIRRUS_STRANDS + cloud_field.shape_amplitude * (wide - 0.5)
+      + detail * cloud_field.detail_amplitude * (fine - 0.5);
+    return (saturate(cover) * strands + min(cover, 0.0) - CIRRUS_DISSOLVED) / cloud_field.sharpness;
   }
   let shape = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.shapes_per_km, 0.0).r;
   // Few heads stand free of the cloud.
   let amplitude = cloud_field.shape_amplitude;
-  var inside = depth + amplitude * saturate(0.85 + 3.2 * depth / amplitude) * (shape - 0.5);
   let rise_km = p.y - cloud_field.base_km;
+  // The edge of a heap bulges, but is not cut through: that would leave crumbs around it.
+  let whole = mix(CLOUD_THIN_CUT, 1.0, saturate(2.0 * (place.y + rise_km) / amplitude));
+  let bump = max(shape - 0.5, 0.0) + whole * min(shape - 0.5, 0.0);
+  var inside = depth + amplitude * saturate(0.85 + 3.2 * depth / amplitude) * bump;
   var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
   if detail > 0.0 && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
     let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.details_per_km, 0.0).g;

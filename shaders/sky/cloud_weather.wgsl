@@ -41,15 +41,16 @@ fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> 
     let off = vec2i(i % 5, i / 5) - 2;
     let random = weather_random(cell + off, cells, key);
     let middle = vec2f(cell + off) + random.xy;
-    // Heaps gather in groups, with gaps between them. Small ones are many, large ones few.
+    // Heaps gather in groups, with gaps between them. Their areas have Weibull's distribution of mean 1, in which few
+    // are very small.
     let group = exp(3.2 * weather_smooth(middle / f32(cells), 5, key + 3u) - 0.32);
-    let mean_square = area * group * (-log(max(random.z, 0.02))) / ATM_PI;
+    let mean_square = area * group * (1.12 * pow(-log(max(random.z, 0.005)), 0.6)) / ATM_PI;
     let radius = min(sqrt(mean_square), 1.5);
     let size = min(steepness * radius * (0.7 + 0.6 * random.w), 1.0);
     let d = middle - p;
     let square = radius * radius + 1e-4;
     // The smallest heaps have dissolved.
-    let here = size * (1.0 - dot(d, d) / square) - 0.06;
+    let here = size * (1.0 - dot(d, d) / square) - 0.09;
     if here > high.x {
       high = vec2f(here, 2.0 * size * min(length(d), radius) / square * f32(cells));
     }

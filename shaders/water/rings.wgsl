@@ -16,6 +16,10 @@ const RING_REACH = 0.36;
 // The mean square slope of rings with amplitude 1 in every cell is RING_SQUARE * RING_REACH * half width / cell: the
 // integral of 2 pi r cos^2 exp(-2 (r - r0)^2 / w^2) over r, with the fading over the life of a ring.
 const RING_SQUARE = 0.34;
+// Large drops make higher and longer waves: amplitude of a ring from that of the smallest (x) by an increase (y), with a
+// mean square of 1, and wave number, relative to the layer's, from that of the smallest to that of the largest drops.
+const RING_AMPLITUDES = vec2f(0.45, 1.0127);
+const RING_WAVE_NUMBERS = vec2f(1.4, 0.7);
 // Amplitude of the slope of the steepest rings.
 const RING_HIGHEST_SLOPE = 0.8;
 
@@ -37,7 +41,9 @@ fn ring_layer_slope(layer: u32, at: vec2f) -> vec2f {
     let from_crest = r - RING_REACH * age * shape.x;
     let packet = exp(-min(from_crest * from_crest / (shape.z * shape.z), 40.0));
     let alive = select(0.0, 1.0 - age, random.z < material.ring_share);
-    slope += (alive * packet * cos(shape.y * from_crest) / max(r, 1e-4)) * off;
+    let amplitude = alive * (RING_AMPLITUDES.x + RING_AMPLITUDES.y * random.w);
+    let k = shape.y * mix(RING_WAVE_NUMBERS.x, RING_WAVE_NUMBERS.y, random.w);
+    slope += (amplitude * packet * cos(k * from_crest) / max(r, 1e-4)) * off;
   }
   return slope;
 }

@@ -74,8 +74,8 @@ override WATER_GUSTS: bool = false;
 const WATER_GUST_LAYER = 8u;
 const WATER_SLICK_LAYER = 9u;
 // Standard deviation of the short waves' slope variance, relative to its mean, by gusts and by slicks.
-const WATER_GUST_DEVIATION = 0.38;
-const WATER_SLICK_DEVIATION = 0.23;
+const WATER_GUST_DEVIATION = 0.46;
+const WATER_SLICK_DEVIATION = 0.36;
 // Texels per metre from which a cascade's waves follow gusts within seconds.
 const WATER_GUST_TEXELS_PER_M = 2.0;
 

@@ -32,8 +32,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "A fine day",
         description: "The sea that the page opens with: a fresh breeze on a long swell, a low sun between \
                       fair-weather cumulus.",
-        state: "v=2&wind=8&fetch=60&scale2=1&hs2=1.8&swell2=0.8&sun=12&sunaz=20&haze=0.4&clouds=cumulus&glints=1\
-                &gusts=1&bloom=0.04&y=3&heading=30&pitch=2&t=40&afloat=yacht*34*-50",
+        state: "v=2&wind=8&fetch=60&scale2=1&hs2=1.8&swell2=0.8&sun=11&sunaz=18&haze=0.4&clouds=cumulus&glints=1\
+                &gusts=1&bloom=0.04&y=3&heading=30&pitch=2&t=40&afloat=yacht*22*-32",
     },
     GalleryPicture {
         title: "Calm at dawn",
@@ -43,10 +43,10 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Trade wind",
-        description: "8 m/s from the east, a fully developed sea with fair-weather cumulus, and the swell of a \
-                      storm far to the north.",
-        state: "v=2&spectrum=pm&wind=8&dir=80&scale2=1&dir2=340&hs2=2&tp2=13&sun=48&sunaz=120&clouds=cumulus\
-                &cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=5&heading=250&pitch=1&t=40",
+        description: "9 m/s from the east, a fully developed sea with fair-weather cumulus, and the swell of a storm \
+                      far to the north: a yacht runs before the wind.",
+        state: "v=2&spectrum=pm&wind=9&dir=80&scale2=1&dir2=340&hs2=2&tp2=13&sun=34&sunaz=205&clouds=cumulus\
+                &cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=3.5&heading=250&pitch=2&fov=45&t=40&afloat=yacht*-44*26",
     },
     GalleryPicture {
         title: "Gale",
@@ -57,27 +57,28 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Southern Ocean storm",
-        description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough.",
-        state: "v=2&wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1&gusts=1\
-                &spray=1&bloom=0.04&y=3&heading=261&pitch=2&fov=22&t=43",
+        description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough, under \
+                      towering clouds.",
+        state: "v=2&wind=26&fetch=750&dir=270&sun=20&sunaz=185&clouds=towering&cloudcover=0.3&glints=1&gusts=1\
+                &spray=1&bloom=0.04&y=3&heading=261&pitch=3&fov=26&t=43",
     },
     GalleryPicture {
         title: "Spindrift",
         description: "Beaufort 10 against a low sun: the wind tears spray off the crests.",
-        state: "v=2&wind=26&fetch=500&dir=250&sun=10&sunaz=228&clouds=stratocumulus&cloudcover=0.3&glints=1&gusts=1\
-                &spray=1&bloom=0.04&y=3.5&heading=225&pitch=1&fov=40&t=20",
+        state: "v=2&wind=26&fetch=500&dir=250&sun=8&sunaz=232&haze=0.6&clouds=cumulus&glints=1\
+                &gusts=1&spray=1&bloom=0.04&y=3.5&heading=225&pitch=1&fov=40&t=20",
     },
     GalleryPicture {
         title: "Long swell",
         description: "A swell of four metres and fourteen seconds from a distant storm, under a light breeze.",
-        state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=9&sunaz=250&haze=0.5&clouds=cirrus\
-                &glints=1&gusts=1&bloom=0.04&y=5&heading=285&pitch=0&fov=35&t=52&afloat=yacht*-150*-35",
+        state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=6&sunaz=268&haze=0.5&clouds=cirrus\
+                &cloudcover=0.45&glints=1&gusts=1&bloom=0.04&y=4&heading=285&pitch=1&fov=30&t=52&afloat=yacht*-95*-18",
     },
     GalleryPicture {
         title: "Golden hour",
-        description: "A low sun behind a yacht: waves shade each other, and the crests between carry the light.",
-        state: "v=2&wind=10&sun=5&sunaz=200&clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=3&heading=200&pitch=-1&t=40\
-                &afloat=yacht*-18*70",
+        description: "A low sun beside a yacht: waves shade each other, and the crests between carry the light.",
+        state: "v=2&wind=10&sun=5&sunaz=200&clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=3&heading=204&pitch=1&fov=42\
+                &t=40&afloat=yacht*-6*46",
     },
     GalleryPicture {
         title: "Under water",
@@ -88,39 +89,42 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "At the waterline",
-        description: "Half of the lens is under water, over three metres of rippled sand with caustics.",
-        state: "v=2&wind=3&fetch=10&depth=3&sun=50&sunaz=80&clouds=cumulus&glints=1&gusts=1&bloom=0.04\
-                &dive=0.03&heading=20&fov=75&t=4.3",
+        description: "Half of the lens is under water, over three metres of sand with patches of seagrass; water \
+                      climbs the glass.",
+        state: "v=2&wind=3&fetch=10&depth=3&sun=50&sunaz=230&clouds=cumulus&glints=1&gusts=1&bedcover=0.5&bloom=0.04\
+                &dive=0.03&heading=20&fov=62&t=4.3&afloat=yacht*13*-22",
     },
     GalleryPicture {
         title: "Rain",
-        description: "A cloudburst from a closed deck: streaks and splashes of drops, and a veil before the horizon.",
-        state: "v=2&wind=7&fetch=50&sun=35&sunaz=350&clouds=storm&cloudcover=0.9&rain=60&glints=1&gusts=1&bloom=0.04\
-                &y=2&heading=10&pitch=-6&t=40",
+        description: "Rain from a broken deck: streaks, rings and splashes of drops, and a low sun behind the veil.",
+        state: "v=2&wind=5&fetch=20&sun=12&sunaz=25&clouds=storm&rain=14&glints=1&gusts=1&exposure=0.5&bloom=0.04&y=1.8\
+                &heading=10&pitch=-3&fov=52&t=40&afloat=yacht*4*-38",
     },
     GalleryPicture {
         title: "Shallow tropical water",
-        description: "Four metres of water over sand, seagrass and reefs, with caustics.",
-        state: "v=2&spectrum=tma&wind=5&fetch=12&depth=4&sun=62&sunaz=100&clouds=cumulus&cloudcover=0.2&glints=1\
-                &gusts=1&caustics=1&bloom=0.04&y=8&heading=220&pitch=-14&t=40",
+        description: "Four metres of water over sand, seagrass and reefs, with caustics, and a yacht that crosses \
+                      them.",
+        state: "v=2&spectrum=tma&wind=4&fetch=8&depth=4&sun=52&sunaz=70&clouds=cumulus&cloudcover=0.2&glints=1\
+                &gusts=1&bedcover=0.35&caustics=1&bloom=0.04&y=7&heading=220&pitch=-8&fov=52&t=40&afloat=yacht*-14*24",
     },
     GalleryPicture {
         title: "Dusk",
         description: "The sun has just set behind scattered clouds.",
-        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&glints=1&gusts=1&bloom=0.04&y=4&heading=290\
-                &pitch=2&t=40&afloat=yacht*-85*-18",
+        state: "v=2&wind=6&fetch=35&sun=-1&sunaz=285&clouds=stratocumulus&glints=1&gusts=1&bloom=0.04\
+                &y=3&heading=288&pitch=3&fov=40&t=40&afloat=yacht*-58*-13",
     },
     GalleryPicture {
         title: "Close to the ripples",
         description: "A light breeze seen from 1.2 m, with gravity and capillary waves (Elfouhaily's spectrum).",
-        state: "v=2&spectrum=elfouhaily&wind=3&fetch=5&spread=elfouhaily&dispersion=capillary&sun=25&sunaz=60\
-                &glints=1&gusts=1&bloom=0.04&y=1.2&heading=62&pitch=-8&t=30",
+        state: "v=2&spectrum=elfouhaily&wind=3&fetch=5&spread=elfouhaily&dispersion=capillary&sun=12&sunaz=52\
+                &haze=0.5&clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=1.2&heading=62&pitch=-6&t=30",
     },
     GalleryPicture {
         title: "From the air",
-        description: "A strong breeze from 60 m: whitecaps with their fading trails, and cumulus to the horizon.",
-        state: "v=2&fetch=200&sun=38&sunaz=300&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=60\
-                &pitch=-6&t=40&afloat=yacht*160*-200",
+        description: "A strong breeze from 55 m: whitecaps with their fading trails, a yacht with its wake, and \
+                      cumulus to the horizon.",
+        state: "v=2&wind=11&fetch=200&sun=30&sunaz=60&clouds=cumulus&glints=1&gusts=1&bloom=0.04&y=55\
+                &heading=0&pitch=-9&t=40&afloat=yacht*22*-120",
     },
 ];
 

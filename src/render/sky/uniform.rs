@@ -12,8 +12,8 @@ use crate::state::look::{CloudKind, SkyLook};
 const REFLECTED_CLOUD_STEP_KM: f64 = 0.05;
 /// Height up to which rain hides what is behind it, m, and the height over which it thins above. Rain falls from higher
 /// up, but drops scatter light by small angles, which blurs a wave far away and not a cloud.
-const RAIN_TOP_M: f64 = 150.0;
-const RAIN_SCALE_HEIGHT_M: f64 = 60.0;
+const RAIN_TOP_M: f64 = 50.0;
+const RAIN_SCALE_HEIGHT_M: f64 = 30.0;
 
 gpu_struct! {
     /// WGSL `Fog`: fog of constant density up to a height, with an exponential decrease above.

@@ -6,8 +6,8 @@ use std::f64::consts::FRAC_PI_2;
 
 const NAVY: u32 = 0x0058_3418;
 const DECK: u32 = 0x00b4_c8d4;
-/// White sailcloth, which lets 0.45 of the sunlight through.
-const SAIL: u32 = 0x73e4_eef0;
+/// White sailcloth, which lets a sixth of the sunlight through.
+const SAIL: u32 = 0x28e4_eef0;
 /// Dark red antifouling paint below the water line.
 const ANTIFOULING: u32 = 0x0028_2c70;
 const YELLOW: u32 = 0x0018_98d8;
