@@ -161,7 +161,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("drops/spray", &[PICTURE, SURFACE, part!("drops/drop.wgsl"), part!("drops/spray.wgsl")]),
     ("drops/rain", &[PICTURE, SURFACE, part!("drops/drop.wgsl"), part!("drops/rain.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
-    ("film/tone", &[SKY_COMMON, SCREEN, part!("film/tone.wgsl")]),
+    ("film/tone", &[SKY_COMMON, SCREEN, part!("film/curves.wgsl"), part!("film/tone.wgsl")]),
     ("film/present", &[SCREEN, part!("film/present.wgsl")]),
     ("views/map", &[MATHS, SEA, SCREEN, VIEWS, part!("views/map.wgsl")]),
     ("views/surface", &[WATER, VIEWS, part!("views/surface.wgsl")]),
