@@ -177,7 +177,7 @@ fn place_of_card(
     if let Some(summary) = summary.filter(|s| s.intersects(card)) {
         card = card.translate(egui::vec2(0.0, summary.bottom() + 8.0 - card.top()));
     }
-    (card.bottom() <= free.bottom()).then_some(card.min)
+    (card.top() >= free.top() && card.bottom() <= free.bottom()).then_some(card.min)
 }
 
 /// What the visitor answers to a hint.

@@ -8,6 +8,7 @@
 //!   that both seas contain (waves/overlap.rs) add by amplitude, and the factors are reduced accordingly.
 
 use crate::waves::overlap::SeaCovariance;
+use std::f64::consts::FRAC_PI_2;
 
 /// Duration of an interpolation or cross-fade from one sea to another, s of wall time, not of simulated time.
 pub const TRANSITION_DURATION_S: f64 = 0.8;
@@ -105,8 +106,11 @@ impl Transition {
     }
 
     /// Weight of the new sea in a cross-fade: its fraction of the sum of both elevation variances; else 1.
+    ///
+    /// The amplitude factors, its square root and that of the rest, are sine and cosine of an angle that grows evenly: no
+    /// other course has a smaller largest step.
     pub fn cross_fade_weight(&self) -> f64 {
-        self.cross_fade.map_or(1.0, |x| x * x * (3.0 - 2.0 * x))
+        self.cross_fade.map_or(1.0, |x| (FRAC_PI_2 * x).sin().powi(2))
     }
 
     /// Whether an interpolation that changes the amplitudes of the waves is running.
