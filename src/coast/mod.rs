@@ -6,5 +6,9 @@
 //! - **Depth** is positive below the still water and negative on land.
 
 pub mod bathymetry;
+pub mod built_in;
+pub mod structure;
 
 pub use bathymetry::Bathymetry;
+pub use built_in::BuiltInCoast;
+pub use structure::Structure;
