@@ -48,26 +48,6 @@ impl ElevationGrid {
         let north = value(i, j + 1) * (1.0 - u) + value(i + 1, j + 1) * u;
         south * (1.0 - v) + north * v
     }
-
-    /// Direction in which the sea floor rises to the land: the bearing (degrees clockwise from north) of the mean slope
-    /// between the depths 0.5 m and 30 m; `None` if the slopes cancel each other, as around an island.
-    pub fn shoreward_deg(&self) -> Option<f64> {
-        let (mut sum, mut size) = ([0.0; 2], 0.0);
-        let value = |i: usize, j: usize| f64::from(self.elevation_m[j * self.columns + i]);
-        for j in 1..self.rows - 1 {
-            for i in 1..self.columns - 1 {
-                if !(-30.0..-0.5).contains(&value(i, j)) {
-                    continue;
-                }
-                let east = (value(i + 1, j) - value(i - 1, j)) / self.cell_m[0];
-                let north = (value(i, j + 1) - value(i, j - 1)) / self.cell_m[1];
-                sum = [sum[0] + east, sum[1] + north];
-                size += east.hypot(north);
-            }
-        }
-        let length = f64::hypot(sum[0], sum[1]);
-        (length > 0.1 * size).then(|| sum[0].atan2(sum[1]).to_degrees().rem_euclid(360.0))
-    }
 }
 
 /// Positions of the columns or the rows of a grid, in the unit of the file.
