@@ -4,7 +4,7 @@ use super::super::structure::Structure;
 use super::land::{beach_m, bell, curves, shore_m, smooth_step, soft_min};
 
 /// Middle of the elliptic shoal, m.
-pub const SHOAL_MIDDLE_M: [f64; 2] = [520.0, 600.0];
+pub const SHOAL_MIDDLE_M: [f64; 2] = [520.0, 603.0];
 /// Heads of the breakwaters of the harbour, between which the entrance lies, m.
 pub const HARBOUR_HEADS_M: [[f64; 2]; 2] = [[770.0, 790.0], [858.0, 888.0]];
 /// Enlargement of the laboratory shoal.
@@ -24,8 +24,8 @@ pub fn headland(x_m: f64, y_m: f64) -> f64 {
     // The distance to a waterline that runs obliquely is shorter than that along x. Far out the contours are straighter.
     let slope = 0.5 * (waterline(y_m + 1.0) - waterline(y_m - 1.0));
     let near = 1.0 / (1.0 + slope * slope * bell(before_m, 160.0)).sqrt();
-    let far = smooth_step(60.0, 900.0, before_m);
-    let distance_m = before_m * near + 0.55 * far * (1330.0 - waterline(y_m));
+    let far = smooth_step(100.0, 1000.0, before_m);
+    let distance_m = before_m * near + 0.45 * far * (1330.0 - waterline(y_m));
     shore_m(distance_m, rockiness, x_m, y_m)
 }
 

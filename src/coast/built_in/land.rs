@@ -11,8 +11,8 @@ const CLIFF_M: f64 = 22.0;
 
 /// Profile factor A of Dean 1977, m^(1/3), of sand with grains of 0.2 mm.
 pub const SAND: f64 = 0.1;
-/// Profile factor A, m^(1/3), of a steep rocky shore.
-pub const ROCK: f64 = 0.2;
+/// How much deeper the water is at the foot of a cliff than at a beach, as a fraction, and how far out, m.
+const CLIFF_FOOT: [f64; 2] = [0.9, 80.0];
 
 /// Rises smoothly from 0 at `low` to 1 at `high`.
 pub fn smooth_step(low: f64, high: f64, v: f64) -> f64 {
@@ -66,8 +66,10 @@ pub fn beach_m(distance_m: f64, x_m: f64, y_m: f64) -> f64 {
 /// Depth (m, negative on land) of a rocky shore with a cliff.
 pub fn cliff_m(distance_m: f64, x_m: f64, y_m: f64) -> f64 {
     if distance_m >= 0.0 {
-        // The same slope at the waterline as the beach, so that the two blend.
-        return dean_depth_m(distance_m, ROCK);
+        // The slope at the waterline is that of the beach, so that the two blend; farther out lies sand, too.
+        let [more, reach_m] = CLIFF_FOOT;
+        let foot = more * smooth_step(0.0, 40.0, distance_m) * bell(distance_m, reach_m);
+        return dean_depth_m(distance_m, SAND) * (1.0 + foot);
     }
     let inland_m = -distance_m;
     let ledge = FORESHORE_SLOPE * inland_m / (1.0 + inland_m / 40.0);

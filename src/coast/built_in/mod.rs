@@ -84,7 +84,7 @@ pub static BUILT_IN: [BuiltInCoast; 6] = [
         about: "An underwater hill that focuses waves like a lens: the laboratory shoal of Berkhoff, Booij and Radder \
                 1982, fifty times enlarged.",
         toward_deg: 60.0,
-        side_m: [1800.0, 1200.0],
+        side_m: [1800.0, 1206.0],
         depth_m: coasts::shoal,
         structures: Vec::new,
     },

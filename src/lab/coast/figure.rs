@@ -17,8 +17,11 @@ impl CoastSea {
         MapFigure {
             title: self.coast.title.clone(),
             subtitle: format!(
-                "Open sea: Hs {:.2} m, Tp {:.1} s{from}. Waves and fields: seastate coast",
-                self.open.hs_m, self.open.tp_s
+                "Open sea: Hs {:.2} m, Tp {:.1} s{from}. The land lies towards {:.0}° ({}).",
+                self.open.hs_m,
+                self.open.tp_s,
+                self.coast.toward_deg,
+                compass_point(self.coast.toward_deg)
             ),
             columns: grid.columns,
             rows: grid.rows,
@@ -36,7 +39,7 @@ impl CoastSea {
         MapPanel {
             title: "Depth (m)".into(),
             values: depth_m.clone(),
-            scale: ColourScale::nice(0.0, deepest, 14, Palette::Water),
+            scale: ColourScale::nice(0.0, deepest, 13, Palette::Water),
             contours: DEPTH_CONTOURS_M.into_iter().filter(|d| *d < 0.97 * deepest).collect(),
             depth_contours_m: Vec::new(),
             arrows: Vec::new(),
@@ -44,8 +47,7 @@ impl CoastSea {
     }
 
     fn height_panel(&self) -> MapPanel {
-        let highest = f64::from(self.maps.hs_m.iter().copied().fold(0.0, f32::max));
-        let scale = ColourScale::nice(0.0, highest, 14, Palette::Heights);
+        let scale = ColourScale::nice(0.0, usual_largest(&self.maps.hs_m), 11, Palette::Heights);
         let contours = (1..scale.bands).filter(|band| band % 2 == 0).map(|band| scale.low + band as f64 * scale.step);
         MapPanel {
             title: "Significant wave height Hs (m)".into(),
@@ -58,19 +60,18 @@ impl CoastSea {
     }
 
     fn surface_panel(&self) -> MapPanel {
-        let highest = f64::from(self.surface_m.iter().copied().map(f32::abs).fold(0.0, f32::max));
         let (title, values) = if self.surface_m.is_empty() {
             ("Mean direction of the waves", vec![0.0; self.maps.hs_m.len()])
         } else {
             ("Surface (m) and mean direction of the waves", self.surface_m.clone())
         };
-        let half = (0.75 * highest).max(0.1);
+        let half = usual_largest(&self.surface_m).max(0.05);
         MapPanel {
             title: title.into(),
             values,
             scale: ColourScale {
                 has_bar: !self.surface_m.is_empty(),
-                ..ColourScale::nice(-half, half, 12, Palette::Surface)
+                ..ColourScale::nice(-half, half, 9, Palette::Surface)
             },
             contours: Vec::new(),
             depth_contours_m: Vec::new(),
@@ -95,8 +96,12 @@ impl CoastSea {
     fn arrows(&self) -> Vec<[f64; 4]> {
         let grid = &self.coast.bathymetry;
         let highest = f64::from(self.maps.hs_m.iter().copied().fold(0.0, f32::max)).max(1e-9);
-        let step = grid.columns.max(grid.rows).div_ceil(ARROWS).max(1);
-        let along = |count: usize| (step / 2..count).step_by(step);
+        // In the middles of equal parts, so that none reaches beyond the map.
+        let part = grid.columns.max(grid.rows) as f64 / ARROWS as f64;
+        let along = |count: usize| {
+            let parts = (count as f64 / part).round().max(1.0);
+            (0..parts as usize).map(move |i| ((i as f64 + 0.5) / parts * count as f64) as usize)
+        };
         let arrow = |(i, j): (usize, usize)| {
             let index = j * grid.columns + i;
             let (size, direction) =
@@ -107,4 +112,12 @@ impl CoastSea {
         };
         along(grid.columns).flat_map(|i| along(grid.rows).map(move |j| (i, j))).filter_map(arrow).collect()
     }
+}
+
+/// The value that all but the largest half per cent of the values do not exceed in size, so that a few points beside a
+/// wall do not set the colours.
+fn usual_largest(values: &[f32]) -> f64 {
+    let mut sizes: Vec<f32> = values.iter().map(|v| v.abs()).filter(|v| *v > 0.0).collect();
+    sizes.sort_by(f32::total_cmp);
+    sizes.get((sizes.len() * 199 / 200).min(sizes.len().saturating_sub(1))).copied().map_or(0.0, f64::from)
 }

@@ -96,13 +96,13 @@ impl fmt::Display for CoastSea {
             let [name, depth, hs, range, tp, from, breaking] = cells;
             writeln!(f, "{name:<20} {depth:>8} {hs:>7} {range:>11} {tp:>7} {from:>9} {breaking:>9}")
         };
-        row(f, ["", "depth, m", "Hs, m", "from to, m", "Tp, s", "from", "breaking"])?;
+        row(f, ["", "depth, m", "Hs, m", "range, m", "Tp, s", "from", "breaking"])?;
         let open = &self.open;
         let depth = if open.depth_m.is_finite() { format!("{:.0}", open.depth_m) } else { "deep".into() };
         let from = open.from_deg.map_or_else(String::new, bearing);
         row(f, ["open sea", &depth, &format!("{:.2}", open.hs_m), "", &format!("{:.1}", open.tp_s), &from, ""])?;
         let write = |f: &mut fmt::Formatter<'_>, name: &str, sea: &SeaAtDepth| {
-            let range = format!("{:.2} {:.2}", sea.range_m[0], sea.range_m[1]);
+            let range = format!("{:.2} - {:.2}", sea.range_m[0], sea.range_m[1]);
             let breaking = format!("{:.1} %", 100.0 * sea.breaking_fraction);
             let [depth, hs, tp] =
                 [format!("{:.1}", sea.depth_m), format!("{:.2}", sea.hs_m), format!("{:.1}", sea.tp_s)];
@@ -125,30 +125,15 @@ impl fmt::Display for CoastSea {
             row(f, [&name, &depth, &hs, "", &tp, &bearing(gauge.from_deg), &breaking])?;
         }
         if let Some(beach) = &self.run_up {
-            let RunUpHeights { two_percent, set_up, percent } = RunUpHeights::new(beach);
             writeln!(
                 f,
-                "\nrun-up: 2 % of the waves reach more than {two_percent} m above the still water on a foreshore of \
-                 {percent} %, of which the waves raise the water itself (set-up) by {set_up} m"
+                "\nrun-up: 2 % of the waves reach more than {:.2} m above the still water on a foreshore of {:.1} %; the mean \
+                 water level at the shore (set-up) is {:.2} m above it",
+                beach.run_up.two_percent_m,
+                100.0 * beach.slope,
+                beach.run_up.set_up_m
             )?;
         }
         Ok(())
-    }
-}
-
-/// Numbers of the line about the run-up.
-struct RunUpHeights {
-    two_percent: String,
-    set_up: String,
-    percent: String,
-}
-
-impl RunUpHeights {
-    fn new(beach: &super::RunUpOnBeach) -> Self {
-        Self {
-            two_percent: format!("{:.2}", beach.run_up.two_percent_m),
-            set_up: format!("{:.2}", beach.run_up.set_up_m),
-            percent: format!("{:.1}", 100.0 * beach.slope),
-        }
     }
 }

@@ -8,6 +8,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, register_font};
+use std::cell::RefCell;
 
 /// Units of the drawing per pixel of the figure.
 const UNITS: f64 = 4.0;
@@ -143,7 +144,7 @@ fn draw<B: DrawingBackend>(figure: &MapFigure, layout: &Layout, area: &Area<'_, 
     text(area, &figure.title, [20.0, 22.0], 19.0, (HPos::Left, VPos::Center))?;
     text(area, &figure.subtitle, [20.0, 45.0], 13.0, (HPos::Left, VPos::Center))?;
     for (index, panel) in figure.panels.iter().enumerate() {
-        let map = Map { figure, panel, layout, corner: layout.corner(index) };
+        let map = Map { figure, panel, layout, corner: layout.corner(index), labels: RefCell::default() };
         map.draw(area)?;
         if index == 0 {
             map.draw_compass(area)?;
@@ -167,6 +168,8 @@ struct Map<'a> {
     panel: &'a MapPanel,
     layout: &'a Layout,
     corner: [f64; 2],
+    /// Where labels of contours stand, pixels.
+    labels: RefCell<Vec<[f64; 2]>>,
 }
 
 impl Map<'_> {
@@ -217,16 +220,19 @@ impl Map<'_> {
             area.draw(&PathElement::new(path, pen))?;
         }
         let longest = lines.iter().max_by_key(|line| line.len()).filter(|line| has_number && line.len() > 40);
-        if let Some(line) = longest {
-            // Numbers of neighbouring contours stand beside each other, not above each other.
-            let shift = 0.3 + 0.4 * (level / self.panel.scale.step * 0.382).rem_euclid(1.0);
-            self.label(
-                area,
-                &number(level, self.panel.scale.step),
-                on_map(&line[(line.len() as f64 * shift) as usize]),
-            )?;
+        let Some(line) = longest else { return Ok(()) };
+        // The first of some places along the contour where no other number stands.
+        let is_free = |at: &[f64; 2]| {
+            self.labels.borrow().iter().all(|other| (other[0] - at[0]).abs() > 30.0 || (other[1] - at[1]).abs() > 15.0)
+        };
+        let places = [0.5, 0.38, 0.62, 0.26, 0.74].map(|part| on_map(&line[(line.len() as f64 * part) as usize]));
+        match places.into_iter().find(is_free) {
+            Some(at) => {
+                self.labels.borrow_mut().push(at);
+                self.label(area, &number(level, self.panel.scale.step), at)
+            }
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// A text on a light ground.

@@ -61,7 +61,7 @@ impl MapFigure {
         draw::svg(self)
     }
 
-    /// Draws the figure as a PNG file with at most 256 colours.
+    /// Draws the figure as a PNG file of few colours.
     ///
     /// # Errors
     /// One sentence, if the crates for drawing fail.
