@@ -127,3 +127,127 @@ pub fn fresnel(x: f64) -> (f64, f64) {
     }
     (c * h / 3.0, s * h / 3.0)
 }
+
+/// C Cg and k^2 C Cg.
+fn mild_slope_coefficients(omega: f64, depth_m: f64, gravity: f64) -> (f64, f64) {
+    let k = wave_number(omega, depth_m, gravity);
+    let p = omega / k * group_velocity(omega, depth_m, gravity);
+    (p, k * k * p)
+}
+
+/// Complex number as a pair.
+type Pair = (f64, f64);
+
+/// Reflection and transmission coefficients of a slope between the places `x` (from sea to shore), for waves that come straight:
+/// Runge-Kutta integration of the one-dimensional mild-slope equation from a transmitted wave of amplitude 1 back to sea.
+pub fn slope(omega: f64, depth: impl Fn(f64) -> f64, x: [f64; 2], gravity: f64) -> (f64, f64) {
+    let steps = 4000;
+    let h = (x[0] - x[1]) / f64::from(steps);
+    let (p, q) = mild_slope_coefficients(omega, depth(x[1]), gravity);
+    // Value and flux, each real and imaginary.
+    let mut state = [1.0, 0.0, 0.0, (q * p).sqrt()];
+    let rate = |x: f64, s: [f64; 4]| {
+        let (p, q) = mild_slope_coefficients(omega, depth(x), gravity);
+        [s[2] / p, s[3] / p, -q * s[0], -q * s[1]]
+    };
+    for step in 0..steps {
+        state = runge_kutta(&rate, x[1] + h * f64::from(step), h, state);
+    }
+    let (p, q) = mild_slope_coefficients(omega, depth(x[0]), gravity);
+    let impedance = (q * p).sqrt();
+    // value = a + b, flux = i impedance (a - b).
+    let (difference_re, difference_im) = (state[3] / impedance, -state[2] / impedance);
+    let arriving = (0.5 * (state[0] + difference_re)).hypot(0.5 * (state[1] + difference_im));
+    let reflected = (0.5 * (state[0] - difference_re)).hypot(0.5 * (state[1] - difference_im));
+    (reflected / arriving, 1.0 / arriving)
+}
+
+fn runge_kutta<const N: usize>(rate: &impl Fn(f64, [f64; N]) -> [f64; N], x: f64, h: f64, s: [f64; N]) -> [f64; N] {
+    let along = |s: [f64; N], d: [f64; N], f: f64| -> [f64; N] { std::array::from_fn(|n| s[n] + f * d[n]) };
+    let a = rate(x, s);
+    let b = rate(x + 0.5 * h, along(s, a, 0.5 * h));
+    let c = rate(x + 0.5 * h, along(s, b, 0.5 * h));
+    let d = rate(x + h, along(s, c, h));
+    std::array::from_fn(|n| s[n] + h / 6.0 * (a[n] + 2.0 * b[n] + 2.0 * c[n] + d[n]))
+}
+
+/// Waves around a round island with a depth that depends on the distance from its centre, by angular modes: each is a real
+/// solution of (r p R')' + (q r - p m^2 / r) R = 0 with R' = 0 at the island, joined to Bessel functions outside the shoal.
+pub struct Island {
+    k: f64,
+    shoal_m: f64,
+    island_m: f64,
+    step_m: f64,
+    /// For each mode: R at each step, its factor (complex), and the scattered wave's factor.
+    modes: Vec<(Vec<f64>, Pair, Pair)>,
+}
+
+impl Island {
+    const STEPS: u32 = 3000;
+
+    /// Solves the modes.
+    pub fn new(omega: f64, island_m: f64, shoal_m: f64, depth: impl Fn(f64) -> f64, gravity: f64) -> Self {
+        let k = wave_number(omega, depth(shoal_m), gravity);
+        let step_m = (shoal_m - island_m) / f64::from(Self::STEPS);
+        // p and q at the ends and middles of all steps.
+        let table: Vec<Pair> = (0..=2 * Self::STEPS)
+            .map(|n| mild_slope_coefficients(omega, depth(island_m + 0.5 * step_m * f64::from(n)), gravity))
+            .collect();
+        let mode = |m: i32| {
+            let rate = |x: f64, s: [f64; 2]| {
+                let r = island_m + x;
+                let (p, q) = table[(2.0 * x / step_m).round() as usize];
+                [s[1] / (r * p), (p * f64::from(m * m) / r - q * r) * s[0]]
+            };
+            let mut state = [1.0, 0.0];
+            let mut values = vec![1.0];
+            for step in 0..Self::STEPS {
+                state = runge_kutta(&rate, step_m * f64::from(step), step_m, state);
+                values.push(state[0]);
+            }
+            let slope = state[1] / (shoal_m * table[2 * Self::STEPS as usize].0);
+            // c R = e_m i^m J_m + b H_m, and the same for the derivatives, at the edge of the shoal.
+            let x = k * shoal_m;
+            let derivative = |f: &dyn Fn(i32, f64) -> f64| {
+                k * if m == 0 { -f(1, x) } else { 0.5 * (f(m - 1, x) - f(m + 1, x)) }
+            };
+            let (j, y, dj, dy) = (libm::jn(m, x), libm::yn(m, x), derivative(&libm::jn), derivative(&libm::yn));
+            // Without i^m: b = e_m (dj R - j R') / (h R' - dh R) with h = j + i y.
+            let even = if m == 0 { 1.0 } else { 2.0 };
+            let numerator = even * (dj * state[0] - j * slope);
+            let (dr, di) = (j * slope - dj * state[0], y * slope - dy * state[0]);
+            let norm = dr * dr + di * di;
+            let b = (numerator * dr / norm, -numerator * di / norm);
+            let c = ((even * j + b.0 * j - b.1 * y) / state[0], (b.0 * y + b.1 * j) / state[0]);
+            (values, c, b)
+        };
+        let count = (k * shoal_m) as i32 + 12;
+        Self { k, shoal_m, island_m, step_m, modes: (0..count).map(mode).collect() }
+    }
+
+    /// Amplitude at the distance `r` (m) from the centre and the angle `angle` from the direction of travel.
+    pub fn amplitude(&self, r: f64, angle: f64) -> f64 {
+        let (mut re, mut im) = (0.0, 0.0);
+        if r >= self.shoal_m {
+            let phase = self.k * r * angle.cos();
+            (re, im) = (phase.cos(), phase.sin());
+        }
+        for (m, (values, c, b)) in self.modes.iter().enumerate() {
+            let (mut tr, mut ti) = if r < self.shoal_m {
+                let at = (r - self.island_m) / self.step_m;
+                let low = at as usize;
+                let value = values[low] + at.fract() * (values[(low + 1).min(values.len() - 1)] - values[low]);
+                (c.0 * value, c.1 * value)
+            } else {
+                let (j, y) = (libm::jn(m as i32, self.k * r), libm::yn(m as i32, self.k * r));
+                (b.0 * j - b.1 * y, b.0 * y + b.1 * j)
+            };
+            for _ in 0..m % 4 {
+                (tr, ti) = (-ti, tr);
+            }
+            let cos = (m as f64 * angle).cos();
+            (re, im) = (re + tr * cos, im + ti * cos);
+        }
+        re.hypot(im)
+    }
+}

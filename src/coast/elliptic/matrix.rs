@@ -95,9 +95,17 @@ pub(super) fn assemble(grid: &Grid, water: Water<'_>, omega_rad_s: f64, k_open: 
                 } else {
                     (corners[corner].1, corners[corner].2)
                 };
+                // The edge cuts corners between the middles of the cell's sides: one dry corner takes an eighth of the cell,
+                // three take seven eighths.
+                let share = match corners.iter().filter(|corner| corner.0).count() {
+                    3 => 7.0 / 6.0,
+                    1 => 0.5,
+                    _ => 1.0,
+                };
                 let beside = (!all_wet).then(|| shape.beside_dry(corners.map(|corner| corner.0), corner));
                 let shape = beside.as_ref().unwrap_or(shape);
                 let water = coefficients(omega_rad_s, depth_m, loss, options);
+                let water = [share * water[0], share * water[1], water[2] * share];
                 let offset = |bit: usize| 0.5 + 0.5 * POINT * if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
                 let stretch = grid.stretch(i as f64 + offset(0), j as f64 + offset(1), k_cell);
                 add_element(&mut matrix, points, shape, water, stretch, omega_rad_s, grid.cell_m);
