@@ -132,8 +132,10 @@ fn elliptic_shoal_of_berkhoff_booij_and_radder() {
     let incident = wave(1.0, 0.0);
     let coarse = Bathymetry::from_fn(89, 81, 0.25, depth);
     let fine = Bathymetry::from_fn(177, 161, 0.125, depth);
-    let (marched, _) = seastate::coast::parabolic::solve(&coarse, &[incident], &options());
-    let exact = solve(&fine, &[incident], 0.0);
+    let options = Options { min_depth_m: 0.02, ..options() };
+    let (marched, _) = seastate::coast::parabolic::solve(&coarse, &[incident], &options);
+    let beaches = vec![0.0; fine.depth_m.len()];
+    let exact = elliptic::solve(&fine, &[incident], &Dissipation::none(&fine), &beaches, &options);
     let section = |points: &[(f64, f64)]| -> (Vec<f64>, Vec<f64>) {
         points
             .iter()
@@ -192,16 +194,16 @@ fn slope_of_booij_reflects_and_transmits() {
 fn island_of_homma() {
     let (island_m, shoal_m, deep_m) = (30.0_f64, 90.0_f64, 9.0);
     let depth = move |r: f64| deep_m * (r / shoal_m).powi(2).min(1.0);
-    let (cell_m, centre) = (2.0, [116.0, 111.0]);
+    let (cell_m, centre) = (1.25, [116.0, 111.0]);
     let at = |x: f64, y: f64| (x - centre[0]).hypot(y - centre[1]);
     let island = |x: f64, y: f64| if at(x, y) < island_m { -3.0 } else { depth(at(x, y)) };
-    let bathymetry = Bathymetry::from_fn(117, 112, cell_m, island);
+    let bathymetry = Bathymetry::from_fn(187, 178, cell_m, island);
     let incident = wave(12.0, 0.0);
     let field = solve(&bathymetry, &[incident], 1.0);
     let modes = theory::Island::new(incident.omega_rad_s, island_m, shoal_m, depth, GRAVITY);
     let (mut worst, mut highest, mut place) = (0.0_f64, 0.0_f64, (0, 0));
-    for j in 0..112 {
-        for i in 0..117 {
+    for j in 0..178 {
+        for i in 0..187 {
             let (x, y) = (i as f64 * cell_m, j as f64 * cell_m);
             if at(x, y) > island_m + cell_m {
                 let angle = (y - centre[1]).atan2(x - centre[0]);

@@ -28,7 +28,7 @@ pub const MAX_ANGLE_RAD: f64 = 1.484;
 /// of its own frequency; only the phase of its scattered waves is that of the shared frequency.
 const BIN_RATIO: f64 = 1.04;
 /// Largest phase (rad) of a wave of the open sea in a cell.
-const MAX_PHASE_PER_CELL: f64 = 1.0;
+const MAX_PHASE_PER_CELL: f64 = 1.2;
 /// Largest number of cells in a cell of the coast's grid, along each axis.
 const MAX_REFINEMENT: usize = 3;
 /// Largest number of points of the solver along the longer side of the grid.
