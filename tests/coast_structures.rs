@@ -126,7 +126,8 @@ fn elliptic_shoal_of_berkhoff_booij_and_radder() {
         let (along, across) = (cos * x - sin * y, sin * x + cos * y);
         let slope = 0.45 - 0.02 * (5.82 + along).max(0.0);
         let shoal = (along / 3.0).powi(2) + (across / 4.0).powi(2);
-        let rise = if shoal < 1.0 { 0.5 * (1.0 - (along / 3.75).powi(2) - (across / 5.0).powi(2)).sqrt() - 0.3 } else { 0.0 };
+        let rise =
+            if shoal < 1.0 { 0.5 * (1.0 - (along / 3.75).powi(2) - (across / 5.0).powi(2)).sqrt() - 0.3 } else { 0.0 };
         (slope - rise).max(0.07)
     };
     let incident = wave(1.0, 0.0);
@@ -194,16 +195,16 @@ fn slope_of_booij_reflects_and_transmits() {
 fn island_of_homma() {
     let (island_m, shoal_m, deep_m) = (30.0_f64, 90.0_f64, 9.0);
     let depth = move |r: f64| deep_m * (r / shoal_m).powi(2).min(1.0);
-    let (cell_m, centre) = (1.25, [116.0, 111.0]);
+    let (cell_m, centre) = (1.0, [116.0, 111.0]);
     let at = |x: f64, y: f64| (x - centre[0]).hypot(y - centre[1]);
     let island = |x: f64, y: f64| if at(x, y) < island_m { -3.0 } else { depth(at(x, y)) };
-    let bathymetry = Bathymetry::from_fn(187, 178, cell_m, island);
+    let bathymetry = Bathymetry::from_fn(233, 223, cell_m, island);
     let incident = wave(12.0, 0.0);
     let field = solve(&bathymetry, &[incident], 1.0);
     let modes = theory::Island::new(incident.omega_rad_s, island_m, shoal_m, depth, GRAVITY);
     let (mut worst, mut highest, mut place) = (0.0_f64, 0.0_f64, (0, 0));
-    for j in 0..178 {
-        for i in 0..187 {
+    for j in 0..223 {
+        for i in 0..233 {
             let (x, y) = (i as f64 * cell_m, j as f64 * cell_m);
             if at(x, y) > island_m + cell_m {
                 let angle = (y - centre[1]).atan2(x - centre[0]);

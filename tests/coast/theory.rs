@@ -68,7 +68,8 @@ pub fn battjes_janssen_hs_m(hs_m: f64, omega: f64, depth_m: f64, slope: f64, gra
 pub fn pile(kr: f64, ka: f64, angle: f64) -> f64 {
     let (mut re, mut im) = (0.0, 0.0);
     for m in 0..(kr.max(ka) as i32 + 25) {
-        let derivative = |f: &dyn Fn(i32, f64) -> f64| if m == 0 { -f(1, ka) } else { 0.5 * (f(m - 1, ka) - f(m + 1, ka)) };
+        let derivative =
+            |f: &dyn Fn(i32, f64) -> f64| if m == 0 { -f(1, ka) } else { 0.5 * (f(m - 1, ka) - f(m + 1, ka)) };
         let (dj, dy) = (derivative(&libm::jn), derivative(&libm::yn));
         let (j, y) = (libm::jn(m, kr), libm::yn(m, kr));
         // J_m' / H_m' with H = J + i Y.
@@ -120,7 +121,13 @@ pub fn fresnel(x: f64) -> (f64, f64) {
     let h = x / f64::from(steps);
     let (mut c, mut s) = (0.0, 0.0);
     for n in 0..=steps {
-        let weight = if n == 0 || n == steps { 1.0 } else if n % 2 == 1 { 4.0 } else { 2.0 };
+        let weight = if n == 0 || n == steps {
+            1.0
+        } else if n % 2 == 1 {
+            4.0
+        } else {
+            2.0
+        };
         let (sin, cos) = (std::f64::consts::FRAC_PI_2 * (h * f64::from(n)).powi(2)).sin_cos();
         c += weight * cos;
         s += weight * sin;
@@ -208,9 +215,8 @@ impl Island {
             let slope = state[1] / (shoal_m * table[2 * Self::STEPS as usize].0);
             // c R = e_m i^m J_m + b H_m, and the same for the derivatives, at the edge of the shoal.
             let x = k * shoal_m;
-            let derivative = |f: &dyn Fn(i32, f64) -> f64| {
-                k * if m == 0 { -f(1, x) } else { 0.5 * (f(m - 1, x) - f(m + 1, x)) }
-            };
+            let derivative =
+                |f: &dyn Fn(i32, f64) -> f64| k * if m == 0 { -f(1, x) } else { 0.5 * (f(m - 1, x) - f(m + 1, x)) };
             let (j, y, dj, dy) = (libm::jn(m, x), libm::yn(m, x), derivative(&libm::jn), derivative(&libm::yn));
             // Without i^m: b = e_m (dj R - j R') / (h R' - dh R) with h = j + i y.
             let even = if m == 0 { 1.0 } else { 2.0 };

@@ -4,8 +4,10 @@ use crate::coast::bathymetry::Bathymetry;
 use crate::coast::losses::Dissipation;
 use crate::coast::options::Options;
 
-/// Cells of an absorbing border.
-pub(super) const BORDER_CELLS: usize = 10;
+/// Smallest and largest number of cells of an absorbing border.
+const BORDER_CELLS: [usize; 2] = [10, 48];
+/// Width of a border, in rad of the longest wave of the open sea, if the cells allow it.
+const BORDER_RAD: f64 = 4.0;
 /// Cells at the open sea, and at an open end of the grid, in which the depth changes to that of the border.
 const RAMP_CELLS: usize = 6;
 /// Attenuation (nepers) of a wave that crosses a border once, for a wave number of 1 rad in a cell and more; longer waves get it, too.
@@ -19,6 +21,8 @@ pub(super) struct Grid {
     pub(super) cell_m: f64,
     /// Number of cells in a cell of the coast's grid.
     pub(super) refinement: usize,
+    /// Number of cells of an absorbing border.
+    pub(super) border: usize,
     /// Column and row of the coast's first point.
     pub(super) first: [usize; 2],
     /// Depth of each point, m: positive where it is wet.
@@ -33,29 +37,32 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// Makes the grid of a coast with `refinement` cells in each of its cells. `open_depth_m` is the depth of the open sea;
-    /// `reflection` belongs to the points of `bathymetry`.
+    /// Makes the grid of a coast with `refinement` cells in each of its cells. `open_depth_m` is the depth of the open sea,
+    /// `k_low` the wave number (rad/m) of its longest wave; `reflection` belongs to the points of `bathymetry`.
     pub(super) fn new(
         bathymetry: &Bathymetry,
         dissipation: &Dissipation,
         reflection: &[f32],
-        (refinement, open_depth_m): (usize, f64),
+        (refinement, open_depth_m, k_low): (usize, f64, f64),
         options: &Options,
     ) -> Self {
         let (last_i, last_j) = (bathymetry.columns - 1, bathymetry.rows - 1);
         let is_wet = |i: usize, j: usize| bathymetry.at(i, j) >= options.min_depth_m;
         let is_open_behind = is_wet(last_i, 0) && is_wet(last_i, last_j);
         let behind_m = 0.5 * (bathymetry.at(last_i, 0) + bathymetry.at(last_i, last_j));
-        let ahead = RAMP_CELLS + BORDER_CELLS;
+        let cell_m = bathymetry.cell_m / refinement as f64;
+        let border = ((BORDER_RAD / (k_low * cell_m)).ceil() as usize).clamp(BORDER_CELLS[0], BORDER_CELLS[1]);
+        let ahead = RAMP_CELLS + border;
         let behind = if is_open_behind { ahead } else { 0 };
         let columns = last_i * refinement + 1 + ahead + behind;
-        let rows = last_j * refinement + 1 + 2 * BORDER_CELLS;
+        let rows = last_j * refinement + 1 + 2 * border;
         let mut out = Self {
             columns,
             rows,
-            cell_m: bathymetry.cell_m / refinement as f64,
+            cell_m,
             refinement,
-            first: [ahead, BORDER_CELLS],
+            border,
+            first: [ahead, border],
             depth_m: Vec::with_capacity(columns * rows),
             is_wet: Vec::with_capacity(columns * rows),
             loss_per_s: Vec::with_capacity(columns * rows),
@@ -64,7 +71,7 @@ impl Grid {
         };
         let (fine_columns, fine_rows) = (last_i * refinement + 1, last_j * refinement + 1);
         for row in 0..rows {
-            let y = row.saturating_sub(BORDER_CELLS).min(fine_rows - 1);
+            let y = row.saturating_sub(border).min(fine_rows - 1);
             for column in 0..columns {
                 let x = column.saturating_sub(ahead).min(fine_columns - 1);
                 let before = ahead.saturating_sub(column);
@@ -85,7 +92,7 @@ impl Grid {
     /// Complex stretching 1 + i sigma of the coordinates x and y (absorbing borders, Berenger 1994, in the form of Chew and
     /// Weedon) at the place (`x`, `y`), in cells, for waves with the phase `k_cell` (rad) in a cell: returns both sigmas.
     pub(super) fn stretch(&self, x: f64, y: f64, k_cell: f64) -> [f64; 2] {
-        let width = BORDER_CELLS as f64;
+        let width = self.border as f64;
         let behind = if self.is_open_behind { x - ((self.columns - 1) as f64 - width) } else { 0.0 };
         let depth_x = (width - x).max(behind).max(0.0) / width;
         let depth_y = (width - y).max(y - ((self.rows - 1) as f64 - width)).max(0.0) / width;

@@ -128,31 +128,22 @@ fn add_element(
 ) {
     let inside = stretch == [0.0, 0.0];
     let [sx, sy] = stretch.map(|sigma| Complex::new(1.0, sigma));
-    let (ratio_x, ratio_y, area) = if inside {
-        (Complex::ONE, Complex::ONE, Complex::ONE)
-    } else {
-        (sy * sx.recip(), sx * sy.recip(), sx * sy)
-    };
+    let (ratio_x, ratio_y, area) =
+        if inside { (Complex::ONE, Complex::ONE, Complex::ONE) } else { (sy * sx.recip(), sx * sy.recip(), sx * sy) };
     // A derivative over a cell of length 2 is 2 / cell that over metres; each point stands for a quarter of the area.
     let (along_x, along_y) = (ratio_x * p, ratio_y * p);
     let mass = Complex::new(q, omega_rad_s * loss) * area * (0.25 * cell_m * cell_m);
     for a in 0..4 {
         for b in a..4 {
-            let stiffness = along_x * (shape.along_x[a] * shape.along_x[b]) + along_y * (shape.along_y[a] * shape.along_y[b]);
+            let stiffness =
+                along_x * (shape.along_x[a] * shape.along_x[b]) + along_y * (shape.along_y[a] * shape.along_y[b]);
             matrix.add(points[a], points[b], stiffness - mass * (shape.value[a] * shape.value[b]));
         }
     }
 }
 
 /// Adds the partly absorbing edges between wet and dry points, and gives dry points a row of their own.
-fn add_edges(
-    matrix: &mut Stencil,
-    grid: &Grid,
-    water: Water<'_>,
-    omega_rad_s: f64,
-    k_cell: f64,
-    options: &Options,
-) {
+fn add_edges(matrix: &mut Stencil, grid: &Grid, water: Water<'_>, omega_rad_s: f64, k_cell: f64, options: &Options) {
     for j in 0..grid.rows {
         for i in 0..grid.columns {
             let index = j * grid.columns + i;
@@ -198,11 +189,7 @@ fn coast_edges(grid: &Grid, i: usize, j: usize) -> [Option<f64>; 2] {
         _ => a.or(b),
     };
     let before = if i > 0 { dry(i - 1, j) } else { None };
-    let after = if i + 1 < grid.columns {
-        dry(i + 1, j)
-    } else {
-        (!grid.is_open_behind).then_some(0.0)
-    };
+    let after = if i + 1 < grid.columns { dry(i + 1, j) } else { (!grid.is_open_behind).then_some(0.0) };
     let below = if j > 0 { dry(i, j - 1) } else { None };
     let above = if j + 1 < grid.rows { dry(i, j + 1) } else { None };
     [least(before, after), least(below, above)]

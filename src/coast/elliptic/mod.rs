@@ -110,7 +110,9 @@ impl<'a> EllipticSolver<'a> {
         let wanted = (k * bathymetry.cell_m / MAX_PHASE_PER_CELL).ceil() as usize;
         let affordable = (MAX_POINTS / bathymetry.columns.max(bathymetry.rows)).max(1);
         let refinement = wanted.clamp(1, MAX_REFINEMENT.min(affordable));
-        let grid = Grid::new(bathymetry, dissipation, reflection, (refinement, open_depth_m), options);
+        let slowest = incident.iter().map(|wave| wave.omega_rad_s).fold(fastest, f64::min).max(1e-3);
+        let k_low = LocalWave::new(slowest, open_depth_m, options.gravity_m_s2).k;
+        let grid = Grid::new(bathymetry, dissipation, reflection, (refinement, open_depth_m, k_low), options);
         let component = |incident: &Incident| ComponentField {
             incident: *incident,
             carrier: Carrier::new(incident, &profile_m, bathymetry.cell_m, options.gravity_m_s2),
@@ -182,8 +184,7 @@ impl<'a> EllipticSolver<'a> {
             }
             prepared.factors.solve(&mut lanes);
             for (lane, (member, wave)) in members.iter().zip(&waves).enumerate() {
-                let carrier =
-                    Carrier::new(wave, &self.profile_m, self.bathymetry.cell_m, self.options.gravity_m_s2);
+                let carrier = Carrier::new(wave, &self.profile_m, self.bathymetry.cell_m, self.options.gravity_m_s2);
                 out.push((*member, self.envelope(&open[lane], &lanes, lane, wave, &carrier)));
             }
         }
@@ -192,9 +193,8 @@ impl<'a> EllipticSolver<'a> {
 
     fn prepare(&self, omega: f64, k: f64) -> Prepared<'_> {
         let matrix = assemble(&self.grid, Water::Coast, omega, k, &self.options);
-        let mut profiles: Vec<Profile> = [0, self.grid.rows - 1]
-            .map(|row| Profile::new(&self.grid, row, omega, &self.options))
-            .into();
+        let mut profiles: Vec<Profile> =
+            [0, self.grid.rows - 1].map(|row| Profile::new(&self.grid, row, omega, &self.options)).into();
         if profiles[0].is_like(&profiles[1]) {
             profiles.truncate(1);
         }

@@ -326,7 +326,8 @@ mod tests {
                 for i in 0..columns {
                     let point = j * columns + i;
                     matrix.add(point, point, Complex::new(-3.0 + 0.2 * wave(point), 0.15));
-                    let couplings = [(i + 1, j, 0.8), (i, j + 1, 0.7), (i + 1, j + 1, 0.1), (i.wrapping_sub(1), j + 1, 0.2)];
+                    let couplings =
+                        [(i + 1, j, 0.8), (i, j + 1, 0.7), (i + 1, j + 1, 0.1), (i.wrapping_sub(1), j + 1, 0.2)];
                     for (x, y, value) in couplings {
                         if x < columns && y < rows {
                             matrix.add(point, y * columns + x, Complex::new(value, 0.05 * wave(point + 7)));

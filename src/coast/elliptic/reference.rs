@@ -1,6 +1,6 @@
 //! The waves of the open sea over straight contours: the solution beside the grid, which the borders absorb nothing of.
 
-use super::grid::{BORDER_CELLS, Grid};
+use super::grid::Grid;
 use crate::coast::complex::Complex;
 use crate::coast::local_wave::LocalWave;
 use crate::coast::options::Options;
@@ -100,16 +100,16 @@ impl Profile {
             let sigma = grid.stretch(i as f64, row, k_open * self.cell_m)[0];
             let inwards = (i as f64).min((grid.columns - 1 - i) as f64);
             // The integral of sigma, which grows with the square of the distance into the border.
-            let integral = sigma * self.cell_m * (BORDER_CELLS as f64 - inwards).max(0.0) / 3.0;
+            let integral = sigma * self.cell_m * (grid.border as f64 - inwards).max(0.0) / 3.0;
             Complex::new(1.0, sigma) * (-kx * integral).exp()
         };
-        for (i, value) in out.iter_mut().enumerate().take(BORDER_CELLS) {
+        for (i, value) in out.iter_mut().enumerate().take(grid.border) {
             let arriving = Complex::polar(1.0, kx * (i as f64 - self.first_column as f64) * self.cell_m);
             *value = (*value - arriving) * stretched(i, kx);
         }
         if let (true, Some([p, q, _])) = (grid.is_open_behind && self.wet == grid.columns, self.layers.last()) {
             let kx = (q / p - ky * ky).max(0.0).sqrt();
-            for i in grid.columns - BORDER_CELLS..grid.columns {
+            for i in grid.columns - grid.border..grid.columns {
                 out[i] *= stretched(i, kx);
             }
         }
@@ -133,7 +133,8 @@ impl Profile {
         let cos = (forward + back) * 0.5;
         let sin = (forward - back) * Complex::new(0.0, -0.5);
         let impedance = kx * p;
-        let sin_over = if impedance.norm_squared() > 0.0 { sin * impedance.recip() } else { Complex::new(length_m / p, 0.0) };
+        let sin_over =
+            if impedance.norm_squared() > 0.0 { sin * impedance.recip() } else { Complex::new(length_m / p, 0.0) };
         (value * cos - flux * sin_over, flux * cos + value * sin * impedance)
     }
 }
