@@ -115,11 +115,12 @@ fn walls_reflect_in_part() {
 }
 
 /// Waves over the elliptic shoal of Berkhoff, Booij and Radder 1982: the parabolic solution has an index of agreement
-/// (Willmott 1981) of at least 0.95 in each of the eight measured sections with the elliptic one on a grid twice as fine.
+/// (Willmott 1981) of at least 0.95 in each of the eight measured sections with the elliptic one on a grid twice as
+/// fine.
 #[test]
 fn elliptic_shoal_of_berkhoff_booij_and_radder() {
-    // The basin in metres: waves of 1 s go towards -y' of the paper, here +x; its x' is y here. The slope of 1:50 is turned
-    // by 20 degrees.
+    // The basin in metres: waves of 1 s go towards -y' of the paper, here +x; its x' is y here. The slope of 1:50 is
+    // turned by 20 degrees.
     let depth = |x: f64, y: f64| {
         let (x, y) = (x - 10.0, y - 10.0);
         let (sin, cos) = 20.0_f64.to_radians().sin_cos();
@@ -166,8 +167,8 @@ fn elliptic_shoal_of_berkhoff_booij_and_radder() {
     assert!(highest > 2.0, "{highest}");
 }
 
-/// A slope between two depths (Booij 1983): reflection and transmission against a fourth-order Runge-Kutta integration of the
-/// one-dimensional mild-slope equation, for slopes of 1:3 (steep, with a reflection that can be seen) and 1:10.
+/// A slope between two depths (Booij 1983): reflection and transmission against a fourth-order Runge-Kutta integration
+/// of the one-dimensional mild-slope equation, for slopes of 1:3 (steep, with a reflection that can be seen) and 1:10.
 #[test]
 fn slope_of_booij_reflects_and_transmits() {
     for width_m in [1.2, 4.0] {
@@ -175,8 +176,8 @@ fn slope_of_booij_reflects_and_transmits() {
         let depth = move |x: f64| 0.6 - 0.4 * ((x - 9.03) / width_m).clamp(0.0, 1.0);
         let cell_m = 0.15;
         let bathymetry = Bathymetry::from_fn(150, 24, cell_m, |x, _| depth(x));
-        // Seen from one side, the contours are straight, and the reference solution would be the whole. A shallow dent in
-        // a third of the width would change that; here the test is of the reference itself and of the transmission.
+        // Seen from one side, the contours are straight, and the reference solution would be the whole. A shallow dent
+        // in a third of the width would change that; here the test is of the reference itself and of the transmission.
         let field = solve(&bathymetry, &[wave(2.0, 0.0)], 0.0);
         let (reflected, transmitted) = theory::slope(TAU / 2.0, depth, [9.03, 9.03 + width_m], GRAVITY);
         let heights: Vec<f64> = (0..58).map(|i| field.amplitude(0, i, 12).modulus()).collect();
@@ -189,8 +190,9 @@ fn slope_of_booij_reflects_and_transmits() {
     }
 }
 
-/// An island on a paraboloidal shoal (the geometry of Homma 1950): amplitudes within 5 % of a solution by angular modes,
-/// each integrated along the radius by Runge-Kutta steps; the mild-slope equation separates in polar coordinates.
+/// An island on a paraboloidal shoal (the geometry of Homma 1950): amplitudes within 5 % of a solution by angular
+/// modes, each integrated along the radius by Runge-Kutta steps; the mild-slope equation separates in polar
+/// coordinates.
 #[test]
 fn island_of_homma() {
     let (island_m, shoal_m, deep_m) = (30.0_f64, 90.0_f64, 9.0);

@@ -2,7 +2,8 @@
 //!
 //! Each component is marched along x as an envelope on a carrier, a plane wave that refracts over the mean depth
 //! profile. The wide-angle expansion (a rational approximation of the square root, after Kirby 1986) is made around the
-//! carrier, so that it is exact for plane waves of any direction over straight contours. docs/design/coast.md has the equations.
+//! carrier, so that it is exact for plane waves of any direction over straight contours. docs/design/coast.md has the
+//! equations.
 
 use super::bathymetry::Bathymetry;
 use super::complex::Complex;

@@ -63,8 +63,9 @@ pub fn battjes_janssen_hs_m(hs_m: f64, omega: f64, depth_m: f64, slope: f64, gra
     move |x: f64| heights[((x / dx).round() as usize).min(heights.len() - 1)]
 }
 
-/// Amplitude beside a vertical pile (MacCamy and Fuchs 1954) at the scaled distance `kr` and the angle `angle` from the direction
-/// of travel, for the scaled radius `ka`: the sum of e_m i^m (J_m(kr) - J_m'(ka) / H_m'(ka) H_m(kr)) cos(m angle).
+/// Amplitude beside a vertical pile (MacCamy and Fuchs 1954) at the scaled distance `kr` and the angle `angle` from the
+/// direction of travel, for the scaled radius `ka`: the sum of e_m i^m (J_m(kr) - J_m'(ka) / H_m'(ka) H_m(kr)) cos(m
+/// angle).
 pub fn pile(kr: f64, ka: f64, angle: f64) -> f64 {
     let (mut re, mut im) = (0.0, 0.0);
     for m in 0..(kr.max(ka) as i32 + 25) {
@@ -91,9 +92,10 @@ pub fn pile(kr: f64, ka: f64, angle: f64) -> f64 {
     re.hypot(im)
 }
 
-/// Amplitude near a fully reflecting thin wall along x = 0, y > 0 (Sommerfeld 1896; Penney and Price 1952), for waves of
-/// amplitude 1 that travel at `direction` from +x towards +y. The exact solution is the sum of the waves that arrive and
-/// that are reflected, each times (1 + i) / 2 integral from -infinity of e^(-i pi t^2 / 2), here as complex conjugates.
+/// Amplitude near a fully reflecting thin wall along x = 0, y > 0 (Sommerfeld 1896; Penney and Price 1952), for waves
+/// of amplitude 1 that travel at `direction` from +x towards +y. The exact solution is the sum of the waves that arrive
+/// and that are reflected, each times (1 + i) / 2 integral from -infinity of e^(-i pi t^2 / 2), here as complex
+/// conjugates.
 pub fn breakwater(k: f64, x: f64, y: f64, direction: f64) -> f64 {
     let r = x.hypot(y);
     // Polar angle from the wall, 0 to 2 pi, growing on the seaward side first; that from which the waves come.
@@ -145,8 +147,9 @@ fn mild_slope_coefficients(omega: f64, depth_m: f64, gravity: f64) -> (f64, f64)
 /// Complex number as a pair.
 type Pair = (f64, f64);
 
-/// Reflection and transmission coefficients of a slope between the places `x` (from sea to shore), for waves that come straight:
-/// Runge-Kutta integration of the one-dimensional mild-slope equation from a transmitted wave of amplitude 1 back to sea.
+/// Reflection and transmission coefficients of a slope between the places `x` (from sea to shore), for waves that come
+/// straight: Runge-Kutta integration of the one-dimensional mild-slope equation from a transmitted wave of amplitude 1
+/// back to sea.
 pub fn slope(omega: f64, depth: impl Fn(f64) -> f64, x: [f64; 2], gravity: f64) -> (f64, f64) {
     let steps = 4000;
     let h = (x[0] - x[1]) / f64::from(steps);
@@ -178,8 +181,9 @@ fn runge_kutta<const N: usize>(rate: &impl Fn(f64, [f64; N]) -> [f64; N], x: f64
     std::array::from_fn(|n| s[n] + h / 6.0 * (a[n] + 2.0 * b[n] + 2.0 * c[n] + d[n]))
 }
 
-/// Waves around a round island with a depth that depends on the distance from its centre, by angular modes: each is a real
-/// solution of (r p R')' + (q r - p m^2 / r) R = 0 with R' = 0 at the island, joined to Bessel functions outside the shoal.
+/// Waves around a round island with a depth that depends on the distance from its centre, by angular modes: each is a
+/// real solution of (r p R')' + (q r - p m^2 / r) R = 0 with R' = 0 at the island, joined to Bessel functions outside
+/// the shoal.
 pub struct Island {
     k: f64,
     shoal_m: f64,

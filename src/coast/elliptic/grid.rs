@@ -10,7 +10,8 @@ const BORDER_CELLS: [usize; 2] = [10, 48];
 const BORDER_RAD: f64 = 4.0;
 /// Cells at the open sea, and at an open end of the grid, in which the depth changes to that of the border.
 const RAMP_CELLS: usize = 6;
-/// Attenuation (nepers) of a wave that crosses a border once, for a wave number of 1 rad in a cell and more; longer waves get it, too.
+/// Attenuation (nepers) of a wave that crosses a border once, for a wave number of 1 rad in a cell and more; longer
+/// waves get it, too.
 const ATTENUATION: f64 = 6.0;
 
 /// Points of the elliptic solver, and the properties of the water there.
@@ -89,8 +90,9 @@ impl Grid {
         out
     }
 
-    /// Complex stretching 1 + i sigma of the coordinates x and y (absorbing borders, Berenger 1994, in the form of Chew and
-    /// Weedon) at the place (`x`, `y`), in cells, for waves with the phase `k_cell` (rad) in a cell: returns both sigmas.
+    /// Complex stretching 1 + i sigma of the coordinates x and y (absorbing borders, Berenger 1994, in the form of Chew
+    /// and Weedon) at the place (`x`, `y`), in cells, for waves with the phase `k_cell` (rad) in a cell: returns both
+    /// sigmas.
     pub(super) fn stretch(&self, x: f64, y: f64, k_cell: f64) -> [f64; 2] {
         let width = self.border as f64;
         let behind = if self.is_open_behind { x - ((self.columns - 1) as f64 - width) } else { 0.0 };

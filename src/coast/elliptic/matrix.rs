@@ -1,8 +1,8 @@
 //! The mild-slope equation on the grid by bilinear finite elements.
 //!
-//! The weak form is the integral of p grad A . grad v - (q + i omega loss) A v, minus that of i k p a A v along edges, with
-//! p = C Cg, q = k^2 p, and a = (1 - R) / (1 + R) for the reflection coefficient R. The integration points
-//! +- sqrt(2/3) give phase errors of fourth order (Guddati and Yue 2004).
+//! The weak form is the integral of p grad A . grad v - (q + i omega loss) A v, minus that of i k p a A v along edges,
+//! with p = C Cg, q = k^2 p, and a = (1 - R) / (1 + R) for the reflection coefficient R. The integration points +-
+//! sqrt(2/3) give phase errors of fourth order (Guddati and Yue 2004).
 
 use super::grid::Grid;
 use super::nested::Stencil;
@@ -95,8 +95,8 @@ pub(super) fn assemble(grid: &Grid, water: Water<'_>, omega_rad_s: f64, k_open: 
                 } else {
                     (corners[corner].1, corners[corner].2)
                 };
-                // The edge cuts corners between the middles of the cell's sides: one dry corner takes an eighth of the cell,
-                // three take seven eighths.
+                // The edge cuts corners between the middles of the cell's sides: one dry corner takes an eighth of the
+                // cell, three take seven eighths.
                 let share = match corners.iter().filter(|corner| corner.0).count() {
                     3 => 7.0 / 6.0,
                     1 => 0.5,

@@ -1,8 +1,8 @@
 //! The elliptic mild-slope equation (Berkhoff 1972): waves that refract, diffract and are reflected near structures.
 //!
 //! The wave of the open sea over straight contours is known along each side of the grid. What the coast adds to it is
-//! the unknown: scattered waves, which the borders of the grid absorb. Waves of nearly one frequency share a factorised matrix,
-//! whatever their directions. docs/design/coast.md has the equations.
+//! the unknown: scattered waves, which the borders of the grid absorb. Waves of nearly one frequency share a factorised
+//! matrix, whatever their directions. docs/design/coast.md has the equations.
 
 mod grid;
 mod matrix;
@@ -24,8 +24,8 @@ use std::f64::consts::PI;
 
 /// Largest angle from straight shoreward of components that are solved, rad (85 degrees).
 pub const MAX_ANGLE_RAD: f64 = 1.484;
-/// Largest ratio of the frequencies of waves that share a matrix. The phase that a wave gains on its way in is made that
-/// of its own frequency; only the phase of its scattered waves is that of the shared frequency.
+/// Largest ratio of the frequencies of waves that share a matrix. The phase that a wave gains on its way in is made
+/// that of its own frequency; only the phase of its scattered waves is that of the shared frequency.
 const BIN_RATIO: f64 = 1.04;
 /// Largest phase (rad) of a wave of the open sea in a cell.
 const MAX_PHASE_PER_CELL: f64 = 1.2;
@@ -80,8 +80,8 @@ struct Prepared<'a> {
 }
 
 /// Solves the elliptic mild-slope equation for all `incident` waves. `dissipation` is that of the parabolic solution of
-/// the same sea, or [`Dissipation::none`]; `reflection` holds the reflection coefficient (0 to 1) of the edge of each point of
-/// land. Components that travel at more than [`MAX_ANGLE_RAD`] from shoreward are 0 everywhere.
+/// the same sea, or [`Dissipation::none`]; `reflection` holds the reflection coefficient (0 to 1) of the edge of each
+/// point of land. Components that travel at more than [`MAX_ANGLE_RAD`] from shoreward are 0 everywhere.
 pub fn solve(
     bathymetry: &Bathymetry,
     incident: &[Incident],
@@ -206,8 +206,8 @@ impl<'a> EllipticSolver<'a> {
         Prepared { factors: Factors::new(&self.dissection, &matrix), sides }
     }
 
-    /// The waves of the open sea of amplitude 1 over straight contours, blended between the two sides of the grid, and what
-    /// they drive where the coast differs from that.
+    /// The waves of the open sea of amplitude 1 over straight contours, blended between the two sides of the grid, and
+    /// what they drive where the coast differs from that.
     fn open_sea(&self, prepared: &Prepared<'_>, k: f64, ky: f64) -> (Vec<Complex>, Vec<Complex>) {
         let (columns, rows) = (self.grid.columns, self.grid.rows);
         let mut field = vec![Complex::ZERO; columns * rows];
@@ -237,8 +237,8 @@ impl<'a> EllipticSolver<'a> {
         (field, drive)
     }
 
-    /// Weight of the profile of the low (`side` 0) or the high side at row `j`, with its first and second derivative along
-    /// y: half a cosine over the middle half of the grid.
+    /// Weight of the profile of the low (`side` 0) or the high side at row `j`, with its first and second derivative
+    /// along y: half a cosine over the middle half of the grid.
     fn blend(&self, j: usize, side: usize) -> [f64; 3] {
         let length = (self.grid.rows - 1 - 2 * self.grid.first[1]) as f64;
         let (start, width) = (self.grid.first[1] as f64 + 0.25 * length, 0.5 * length);

@@ -1,8 +1,8 @@
 //! A direct solver for complex symmetric matrices on a grid whose points are coupled with their eight neighbours.
 //!
 //! The points are eliminated in the order of nested dissection (George 1973): lines that separate the grid into halves
-//! come after the halves. Each separator is one dense matrix with the points around its region (a front). A grid of n x n
-//! points takes about 10 n^3 multiplications and 8 n^2 log2(n) stored numbers instead of the n^4 and n^3 of a band.
+//! come after the halves. Each separator is one dense matrix with the points around its region (a front). A grid of n x
+//! n points takes about 10 n^3 multiplications and 8 n^2 log2(n) stored numbers instead of the n^4 and n^3 of a band.
 
 use crate::coast::complex::Complex;
 
@@ -272,8 +272,8 @@ impl<'a> Factors<'a> {
         }
     }
 
-    /// Solves the systems of [`LANES`] right-hand sides in place. Each point has the real parts of all of them, followed
-    /// by the imaginary parts.
+    /// Solves the systems of [`LANES`] right-hand sides in place. Each point has the real parts of all of them,
+    /// followed by the imaginary parts.
     pub(super) fn solve(&self, x: &mut [[f64; 2 * LANES]]) {
         for ((front, pivots), lower) in self.dissection.fronts.iter().zip(&self.pivots).zip(&self.lower) {
             let mut column = &lower[..];
@@ -316,7 +316,8 @@ fn subtract_product(y: &mut [f64; 2 * LANES], factor: Complex, x: &[f64; 2 * LAN
 mod tests {
     use super::*;
 
-    /// A matrix like that of a Helmholtz equation with losses, and a vector: the product of both, solved, is the vector.
+    /// A matrix like that of a Helmholtz equation with losses, and a vector: the product of both, solved, is the
+    /// vector.
     #[test]
     fn the_solution_of_a_product_is_the_vector() {
         for (columns, rows) in [(1, 1), (7, 2), (13, 40), (41, 29)] {

@@ -54,11 +54,11 @@ impl Profile {
             && self.loss_per_s == other.loss_per_s
     }
 
-    /// Amplitude at each column of a wave with the wave number `ky` (rad/m) along the shore that comes from the open sea
-    /// with the amplitude 1 and the phase 0 at the coast's first column; 0 behind the shore.
+    /// Amplitude at each column of a wave with the wave number `ky` (rad/m) along the shore that comes from the open
+    /// sea with the amplitude 1 and the phase 0 at the coast's first column; 0 behind the shore.
     ///
-    /// It is exact for layers of constant depth: in each, the wave is a sum of two exponentials. They are passed from the
-    /// shore to the sea, in which direction a decaying wave grows.
+    /// It is exact for layers of constant depth: in each, the wave is a sum of two exponentials. They are passed from
+    /// the shore to the sea, in which direction a decaying wave grows.
     pub(super) fn amplitude(&self, ky: f64, options: &Options) -> Vec<Complex> {
         let mut out = vec![Complex::ZERO; self.depth_m.len()];
         let last = self.wet - 1;
@@ -89,8 +89,9 @@ impl Profile {
         out
     }
 
-    /// The part of `amplitude` (of [`Self::amplitude`]) that leaves the grid, in the absorbing borders at the open sea and behind:
-    /// it decays there as the stretched coordinates say, and is multiplied by their derivative. Elsewhere it is the whole.
+    /// The part of `amplitude` (of [`Self::amplitude`]) that leaves the grid, in the absorbing borders at the open sea
+    /// and behind: it decays there as the stretched coordinates say, and is multiplied by their derivative. Elsewhere
+    /// it is the whole.
     pub(super) fn continued(&self, amplitude: &[Complex], ky: f64, k_open: f64, grid: &Grid) -> Vec<Complex> {
         let mut out = amplitude.to_vec();
         let row = 0.5 * (grid.rows - 1) as f64;
