@@ -149,8 +149,9 @@ impl<'a> ParabolicSolver<'a> {
     }
 }
 
-/// Solves a tridiagonal system in place by Thomas's algorithm without pivoting: `right` becomes the solution. The entries
-/// `below` and `above` stand beside the diagonal in each row; the first of `below` and the last of `above` are unused.
+/// Solves a tridiagonal system in place by Thomas's algorithm without pivoting: `right` becomes the solution. The
+/// entries `below` and `above` stand beside the diagonal in each row; the first of `below` and the last of `above` are
+/// unused.
 pub(super) fn solve_tridiagonal(below: &[Complex], diagonal: &mut [Complex], above: &[Complex], right: &mut [Complex]) {
     let n = right.len();
     for j in 1..n {

@@ -38,8 +38,8 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// Makes the grid of a coast with `refinement` cells in each of its cells. `open_depth_m` is the depth of the open sea,
-    /// `k_low` the wave number (rad/m) of its longest wave; `reflection` belongs to the points of `bathymetry`.
+    /// Makes the grid of a coast with `refinement` cells in each of its cells. `open_depth_m` is the depth of the open
+    /// sea, `k_low` the wave number (rad/m) of its longest wave; `reflection` belongs to the points of `bathymetry`.
     pub(super) fn new(
         bathymetry: &Bathymetry,
         dissipation: &Dissipation,
