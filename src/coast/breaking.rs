@@ -69,7 +69,7 @@ pub fn breaking_fraction(ratio: f64) -> f64 {
     for _ in 0..40 {
         let right = ((q - 1.0) / b).exp();
         let step = (right - q) / (1.0 - right / b);
-        if !(step > 1e-14 * q) {
+        if step <= 1e-14 * q || step.is_nan() {
             break;
         }
         q += step;
