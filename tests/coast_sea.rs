@@ -50,7 +50,8 @@ fn strongest_waves_follow_the_placement() {
         let (sin, cos) = turn_rad.sin_cos();
         let world = [origin_m[0] + cos * x - sin * y, origin_m[1] + sin * x + cos * y];
         let (a, b) = (elevation(&there, x, y), elevation(&here, world[0], world[1]));
-        // The frequencies are rounded to multiples of one over the period of the sea, and with them the wave numbers here.
+        // The frequencies are rounded to multiples of one over the period of the sea, and with them the wave numbers
+        // here.
         assert!((a - b).abs() < 0.01, "{a} and {b}");
     }
 }

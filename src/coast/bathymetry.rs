@@ -2,7 +2,8 @@
 
 /// Depth of the water at the points of a regular grid in the frame of a coast (see the module [`crate::coast`]).
 ///
-/// Point (i, j) lies at x = i `cell_m` (shoreward from the sea's edge of the grid) and y = j `cell_m` (along the shore).
+/// Point (i, j) lies at x = i `cell_m` (shoreward from the sea's edge of the grid) and y = j `cell_m` (along the
+/// shore).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bathymetry {
     /// Number of points along x, at least 2.

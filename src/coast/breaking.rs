@@ -63,13 +63,13 @@ pub fn breaking_fraction(ratio: f64) -> f64 {
     if ratio < 0.23 {
         return 0.0;
     }
-    // Q = e^((Q - 1) / b) has the solutions 1 and the one sought, at which the right side is convex with a slope below 1:
-    // Newton's method rises to it from below without passing it.
+    // Q = e^((Q - 1) / b) has the solutions 1 and the one sought, at which the right side is convex with a slope below
+    // 1: Newton's method rises to it from below without passing it.
     let mut q = (-1.0 / b).exp();
     for _ in 0..40 {
         let right = ((q - 1.0) / b).exp();
         let step = (right - q) / (1.0 - right / b);
-        if !(step > 1e-14 * q) {
+        if step <= 1e-14 * q || step.is_nan() {
             break;
         }
         q += step;

@@ -42,8 +42,8 @@ pub struct Carrier {
 }
 
 impl Field {
-    /// Complex amplitude (m) of the component with the index `component` at point (i, j): the elevation is the real part
-    /// of the amplitude times e^(-i omega t).
+    /// Complex amplitude (m) of the component with the index `component` at point (i, j): the elevation is the real
+    /// part of the amplitude times e^(-i omega t).
     pub fn amplitude(&self, component: usize, i: usize, j: usize) -> Complex {
         let component = &self.components[component];
         let phase = component.carrier.phase_rad[i] + component.carrier.ky_rad_m * j as f64 * self.cell_m;

@@ -76,8 +76,8 @@ pub fn strongest_waves(
     waves
 }
 
-/// The directional spectrum of a planned sea as one component for each of `frequencies` x `directions` bins, for maps of
-/// statistics, which need no phases: the phases are 0. Each bin of frequency holds the same variance. The bins of
+/// The directional spectrum of a planned sea as one component for each of `frequencies` x `directions` bins, for maps
+/// of statistics, which need no phases: the phases are 0. Each bin of frequency holds the same variance. The bins of
 /// direction cover the angles below `max_angle_rad` from straight shoreward evenly; energy outside is left out.
 pub fn spectrum_bins(
     plan: &Plan,

@@ -172,7 +172,8 @@ impl Marcher {
         let mut diagonal = vec![Complex::ZERO; count];
         let mut right = vec![Complex::ZERO; count];
         for j in 0..count {
-            // Weights of Y on both sides of the step, 1 + Y (quarter -+ i step kx / 4), made symmetric between neighbours.
+            // Weights of Y on both sides of the step, 1 + Y (quarter -+ i step kx / 4), made symmetric between
+            // neighbours.
             let weights = |a: usize, b: usize| {
                 let symmetric = inverse[a] * inverse[b];
                 let rotation = 0.25 * step_m * symmetric.sqrt();

@@ -44,7 +44,8 @@ fn relative_depth_and_ratio(s: f64) -> (f64, f64) {
     (s * (low[0] + fraction * (high[0] - low[0])), low[1] + fraction * (high[1] - low[1]))
 }
 
-/// For s = index / `PER_UNIT`: k depth / s, and the ratio of group velocity to phase velocity. Both are smooth at s = 0.
+/// For s = index / `PER_UNIT`: k depth / s, and the ratio of group velocity to phase velocity. Both are smooth at s =
+/// 0.
 fn table() -> &'static [[f64; 2]] {
     static TABLE: OnceLock<Vec<[f64; 2]>> = OnceLock::new();
     TABLE.get_or_init(|| {

@@ -5,13 +5,14 @@
 //!   axes are the world's +x (east) and +z (south).
 //! - **Depth** is positive below the still water and negative on land.
 //! - **Waves**: the elevation of a component is Re[A(x, y) e^(-i omega t)]. The open sea's waves are [`Incident`]; the
-//!   solver [`parabolic`] gives their [`Field`] over a [`Bathymetry`].
+//!   solvers [`parabolic`] and [`elliptic`] give their [`Field`] over a [`Bathymetry`].
 
 pub mod approach;
 pub mod bathymetry;
 pub mod breaking;
 pub mod built_in;
 pub mod complex;
+pub mod elliptic;
 pub mod field;
 pub mod incident;
 mod line;

@@ -2,7 +2,8 @@
 //!
 //! Each component is marched along x as an envelope on a carrier, a plane wave that refracts over the mean depth
 //! profile. The wide-angle expansion (a rational approximation of the square root, after Kirby 1986) is made around the
-//! carrier, so that it is exact for plane waves of any direction over straight contours. docs/design/coast.md has the equations.
+//! carrier, so that it is exact for plane waves of any direction over straight contours. docs/design/coast.md has the
+//! equations.
 
 use super::bathymetry::Bathymetry;
 use super::complex::Complex;
@@ -148,8 +149,9 @@ impl<'a> ParabolicSolver<'a> {
     }
 }
 
-/// Solves a tridiagonal system in place by Thomas's algorithm without pivoting: `right` becomes the solution. The entries
-/// `below` and `above` stand beside the diagonal in each row; the first of `below` and the last of `above` are unused.
+/// Solves a tridiagonal system in place by Thomas's algorithm without pivoting: `right` becomes the solution. The
+/// entries `below` and `above` stand beside the diagonal in each row; the first of `below` and the last of `above` are
+/// unused.
 pub(super) fn solve_tridiagonal(below: &[Complex], diagonal: &mut [Complex], above: &[Complex], right: &mut [Complex]) {
     let n = right.len();
     for j in 1..n {

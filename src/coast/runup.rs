@@ -15,9 +15,9 @@ pub struct RunUp {
 }
 
 impl RunUp {
-    /// Run-up of waves of the significant height `hs_m` (m) and the length `wavelength_m` (m) in deep water on a foreshore of
-    /// the slope `slope` (height over length): R2 = 1.1 (0.35 b sqrt(H L) + sqrt(H L (0.563 b^2 + 0.004)) / 2), and
-    /// 0.043 sqrt(H L) on dissipative beaches, where b / sqrt(H / L) is below 0.3.
+    /// Run-up of waves of the significant height `hs_m` (m) and the length `wavelength_m` (m) in deep water on a
+    /// foreshore of the slope `slope` (height over length): R2 = 1.1 (0.35 b sqrt(H L) + sqrt(H L (0.563 b^2 + 0.004))
+    /// / 2), and 0.043 sqrt(H L) on dissipative beaches, where b / sqrt(H / L) is below 0.3.
     pub fn new(hs_m: f64, wavelength_m: f64, slope: f64) -> Self {
         let scale = (hs_m * wavelength_m).sqrt();
         let set_up_m = 0.35 * slope * scale;
