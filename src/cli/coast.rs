@@ -6,7 +6,7 @@ use crate::coast::built_in::BUILT_IN;
 use crate::coast::placed::{PlacedCoast, PlacingOptions};
 use crate::files::bathymetry::{self, ReadAs};
 use crate::files::input;
-use crate::lab::coast::{self, CoastSea, CoastSettings};
+use crate::lab::coast::{self, CoastSea, CoastSettings, Solver};
 use crate::state::Params;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
@@ -56,6 +56,17 @@ pub struct CoastArgs {
     /// Number of waves, the strongest of the sea, that are summed for the picture of the surface and for the record
     #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=2000))]
     waves: u32,
+    /// Equation of the waves: parabolic is faster, elliptic also reflects waves from structures and steep shores. Without
+    /// the option it is elliptic for a coast with structures
+    #[arg(long)]
+    solver: Option<Equation>,
+}
+
+/// The equations, as the option names them.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Equation {
+    Parabolic,
+    Elliptic,
 }
 
 /// A word about a file.
@@ -98,7 +109,11 @@ pub fn run(args: &CoastArgs, params: &Params, report: impl Fn(&[String])) -> Res
     report(&coast.notices);
     let has_surface = args.record.is_some() || formats.iter().any(|format| *format != Format::Csv);
     let wave_count = if has_surface { args.waves as usize } else { 0 };
-    let settings = CoastSettings { gauges_m: args.gauges.clone(), wave_count };
+    let solver = args.solver.map(|solver| match solver {
+        Equation::Parabolic => Solver::Parabolic,
+        Equation::Elliptic => Solver::Elliptic,
+    });
+    let settings = CoastSettings { gauges_m: args.gauges.clone(), wave_count, solver };
     let sea = coast::run(params, coast, &settings)?;
     for (path, format) in args.output.iter().zip(&formats) {
         let bytes = match format {

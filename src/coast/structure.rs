@@ -71,14 +71,14 @@ impl Structure {
     }
 }
 
-/// Reflection coefficient of the shore at a point (m): that of the nearest structure whose foot is within `reach_m`, or 0
-/// beside a beach, which absorbs the waves.
-pub fn reflection_at(structures: &[Structure], x_m: f64, y_m: f64, reach_m: f64) -> f64 {
+/// Reflection coefficient of the nearest structure whose waterline is within `reach_m` (m) of a point (m); `None` if there
+/// is none.
+pub fn reflection_at(structures: &[Structure], x_m: f64, y_m: f64, reach_m: f64) -> Option<f64> {
     let near = structures.iter().map(|s| {
         let foot_m = 0.5 * s.top_width_m + s.side_slope * s.top_height_m;
         (s.distance_m(x_m, y_m) - foot_m, s.reflection)
     });
-    near.filter(|(distance_m, _)| *distance_m <= reach_m).min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |s| s.1)
+    near.filter(|(distance_m, _)| *distance_m <= reach_m).min_by(|a, b| a.0.total_cmp(&b.0)).map(|s| s.1)
 }
 
 #[cfg(test)]
@@ -119,8 +119,8 @@ mod tests {
     #[test]
     fn the_nearest_structure_reflects() {
         let walls = [wall(0.0), Structure { reflection: 0.4, line_m: vec![[0.0, 0.0], [0.0, 9.0]], ..wall(0.0) }];
-        assert_eq!(reflection_at(&walls, 47.0, 30.0, 5.0), 0.95);
-        assert_eq!(reflection_at(&walls, 4.0, 5.0, 5.0), 0.4);
-        assert_eq!(reflection_at(&walls, 25.0, 5.0, 5.0), 0.0);
+        assert_eq!(reflection_at(&walls, 47.0, 30.0, 5.0), Some(0.95));
+        assert_eq!(reflection_at(&walls, 4.0, 5.0, 5.0), Some(0.4));
+        assert_eq!(reflection_at(&walls, 25.0, 5.0, 5.0), None);
     }
 }

@@ -71,7 +71,7 @@ impl CoastSea {
             values,
             scale: ColourScale {
                 has_bar: !self.surface_m.is_empty(),
-                ..ColourScale::nice(-half, half, 9, Palette::Surface)
+                ..ColourScale::nice(-half, half, 7, Palette::Surface)
             },
             contours: Vec::new(),
             depth_contours_m: Vec::new(),

@@ -9,9 +9,11 @@ mod table;
 pub use gauges::{Gauge, Gauges};
 
 use crate::coast::approach::approach;
+use crate::coast::elliptic;
 use crate::coast::incident::{spectrum_bins, strongest_waves};
-use crate::coast::parabolic::{self, MAX_ANGLE_RAD};
+use crate::coast::parabolic;
 use crate::coast::runup::RunUp;
+use crate::coast::structure::reflection_at;
 use crate::coast::{Field, Incident, Options, PlacedCoast, SeaMaps};
 use crate::state::{Params, query};
 use crate::waves::Plan;
@@ -35,6 +37,27 @@ pub struct CoastSettings {
     pub gauges_m: Vec<[f64; 2]>,
     /// Number of waves that are summed for the picture of the surface and for records; 0 leaves them out.
     pub wave_count: usize,
+    /// Which equation is solved; `None` lets the coast decide: the elliptic one where there are structures.
+    pub solver: Option<Solver>,
+}
+
+/// An equation of the waves over a coast (docs/design/coast.md).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solver {
+    /// The parabolic mild-slope equation: waves that travel shoreward. Structures absorb them.
+    Parabolic,
+    /// The elliptic mild-slope equation: waves in all directions, which structures and steep shores reflect.
+    Elliptic,
+}
+
+impl Solver {
+    /// Largest angle from straight shoreward of the waves that are solved, rad.
+    fn max_angle_rad(self) -> f64 {
+        match self {
+            Self::Parabolic => parabolic::MAX_ANGLE_RAD,
+            Self::Elliptic => elliptic::MAX_ANGLE_RAD,
+        }
+    }
 }
 
 /// The sea before the coast.
@@ -89,9 +112,11 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
     let options = Options { gravity_m_s2, ..Options::default() };
     let open_depth_m = if plan.dispersion.depth_m().is_finite() { plan.dispersion.depth_m() } else { DEEP_M };
     let edge_m = edge_depth_m(&coast);
+    let by_coast = if coast.structures.is_empty() { Solver::Parabolic } else { Solver::Elliptic };
+    let solver = settings.solver.unwrap_or(by_coast);
     let arriving = |waves: Vec<Incident>| -> Vec<Incident> {
         let arrive = waves.iter().filter_map(|wave| approach(wave, open_depth_m, edge_m, gravity_m_s2));
-        arrive.filter(|wave| wave.direction_rad.abs() < MAX_ANGLE_RAD).collect()
+        arrive.filter(|wave| wave.direction_rad.abs() < solver.max_angle_rad()).collect()
     };
     let bins = spectrum_bins(&plan, coast.turn_rad(), FREQUENCY_BINS, DIRECTION_BINS, MAX_OPEN_ANGLE_RAD);
     let shoreward_m2: f64 = bins.iter().map(Incident::variance_m2).sum();
@@ -111,7 +136,15 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
         from_deg: statistics.mean_from_deg,
         depth_m: plan.dispersion.depth_m(),
     };
-    let (field, dissipation) = parabolic::solve(&coast.bathymetry, &bins, &options);
+    // Waves break together, which the parabolic equation finds out on their way.
+    let (marched, dissipation) = parabolic::solve(&coast.bathymetry, &bins, &options);
+    let reflection = reflection(&coast, &open, gravity_m_s2);
+    let solve = |waves: &[Incident], marched: Option<Field>| match (solver, marched) {
+        (Solver::Parabolic, Some(field)) => field,
+        (Solver::Parabolic, None) => parabolic::solve(&coast.bathymetry, waves, &options).0,
+        (Solver::Elliptic, _) => elliptic::solve(&coast.bathymetry, waves, &dissipation, &reflection, &options),
+    };
+    let field = solve(&bins, Some(marched));
     let maps = SeaMaps::new(&coast.bathymetry, &field, &dissipation, gravity_m_s2);
     let mut gauges = Gauges::new(&plan, &coast, &maps, &field, &settings.gauges_m)?;
     drop(field);
@@ -119,7 +152,7 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
     if settings.wave_count > 0 {
         let shortest_m = MIN_POINTS_PER_WAVE * coast.bathymetry.cell_m;
         let waves = strongest_waves(&plan, coast.placement(), settings.wave_count, shortest_m, MAX_OPEN_ANGLE_RAD);
-        let (waves, _) = parabolic::solve(&coast.bathymetry, &arriving(waves), &options);
+        let waves = solve(&arriving(waves), None);
         surface_m = surface(&coast, &waves, params.clock.t_s);
         gauges.waves = gauges.list.iter().map(|gauge| waves_at(&waves, gauge.point)).collect();
     }
@@ -128,6 +161,20 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
         slope,
     });
     Ok(CoastSea { state: query::write(params), coast, open, maps, surface_m, gauges, run_up })
+}
+
+/// Reflection coefficient of each point of land: that of a structure beside it, else by the slope of the shore.
+fn reflection(coast: &PlacedCoast, open: &OpenSea, gravity_m_s2: f64) -> Vec<f32> {
+    let wavelength_m = gravity_m_s2 * open.tp_s * open.tp_s / TAU;
+    let mut list = elliptic::reflection_by_slope(&coast.bathymetry, open.hs_m, wavelength_m);
+    let grid = &coast.bathymetry;
+    for (index, value) in list.iter_mut().enumerate().filter(|(index, _)| grid.depth_m[*index] <= 0.0) {
+        let [x, y] = [index % grid.columns, index / grid.columns].map(|i| i as f64 * grid.cell_m);
+        if let Some(of_structure) = reflection_at(&coast.structures, x, y, grid.cell_m) {
+            *value = of_structure as f32;
+        }
+    }
+    list
 }
 
 /// Mean depth of the water at the side that faces the open sea, m.

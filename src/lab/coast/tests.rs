@@ -20,7 +20,7 @@ fn over_a_flat_bed_the_sea_stays_what_it_is() {
         toward_deg: 60.0,
         notices: Vec::new(),
     };
-    let settings = CoastSettings { gauges_m: vec![[400.0, 400.0], [600.0, 380.0]], wave_count: 0 };
+    let settings = CoastSettings { gauges_m: vec![[400.0, 400.0], [600.0, 380.0]], ..CoastSettings::default() };
     // A narrow swell of which all energy travels at less than 75 degrees from shoreward.
     let state = "depth=60&hs=1&tp=9&dir=240&spread=donelan-banner&n=64";
     let sea = run(&query::parse(state).0, coast, &settings).expect("a sea");
@@ -42,7 +42,7 @@ fn over_a_flat_bed_the_sea_stays_what_it_is() {
 
 #[test]
 fn waves_come_ashore_on_the_beach() {
-    let settings = CoastSettings { gauges_m: vec![[200.0, 700.0], [1490.0, 700.0]], wave_count: 40 };
+    let settings = CoastSettings { gauges_m: vec![[200.0, 700.0], [1490.0, 700.0]], wave_count: 40, solver: None };
     let sea = over("beach", "hs=2&tp=9&dir=240&n=64", &settings);
     let (edge, five, two) =
         (sea.at_edge().expect("sea"), sea.at_depth(5.0).expect("5 m"), sea.at_depth(2.0).expect("2 m"));
@@ -96,9 +96,38 @@ fn fields_are_written_with_names_and_units() {
 fn what_cannot_be_solved_is_said() {
     let beach = || PlacedCoast::built_in(BuiltInCoast::find("beach").expect("a beach"), &PlacingOptions::default());
     let said = |state: &str, gauges_m: Vec<[f64; 2]>| {
-        let settings = CoastSettings { gauges_m, wave_count: 0 };
+        let settings = CoastSettings { gauges_m, ..CoastSettings::default() };
         run(&query::parse(state).0, beach().expect("a coast"), &settings).map(drop).expect_err("refused")
     };
     assert!(said("wind=0&n=64", vec![]).contains("no waves of this sea travel towards the land"));
     assert!(said("dir=90&spread=cos2-positive&hs=1&tp=8&n=64", vec![]).contains("turn the coast"));
+}
+
+/// A wall across the whole coast reflects the sea, and nothing comes behind it. Before it the mean energy is up to twice
+/// that of the sea; beside a rough wall it is less.
+#[test]
+fn structures_reflect() {
+    let before = |reflection: f64| {
+        let mut bathymetry = Bathymetry::from_fn(41, 41, 12.0, |_, _| 12.0);
+        let wall = crate::coast::Structure {
+            name: "wall",
+            line_m: vec![[300.0, -100.0], [300.0, 600.0]],
+            top_width_m: 24.0,
+            top_height_m: 5.0,
+            side_slope: 0.0,
+            reflection,
+        };
+        wall.build_in(&mut bathymetry);
+        let (title, about) = ("wall".to_owned(), "A wall.".to_owned());
+        let coast =
+            PlacedCoast { title, about, bathymetry, structures: vec![wall], toward_deg: 60.0, notices: Vec::new() };
+        let settings = CoastSettings { gauges_m: vec![[420.0, 240.0]], ..CoastSettings::default() };
+        let sea =
+            run(&query::parse("hs=1&tp=9&dir=240&spread=donelan-banner&n=64").0, coast, &settings).expect("a sea");
+        assert!(sea.gauges.list[0].hs_m < 0.05, "behind the wall: {:?}", sea.gauges.list[0]);
+        let row = &sea.maps.hs_m[20 * 41..20 * 41 + 24];
+        (row.iter().map(|hs| f64::from(hs * hs)).sum::<f64>() / 24.0).sqrt()
+    };
+    let (smooth, rough) = (before(1.0), before(0.3));
+    assert!(smooth > 1.15 * rough, "{smooth} {rough}");
 }

@@ -12,7 +12,7 @@ use std::cell::RefCell;
 
 /// Units of the drawing per pixel of the figure.
 const UNITS: f64 = 4.0;
-const WIDTH: f64 = 960.0;
+const WIDTH: f64 = 880.0;
 /// Height of the title and the line below it, and margin at the foot, pixels.
 const HEAD: f64 = 62.0;
 const FOOT: f64 = 8.0;
@@ -103,10 +103,13 @@ pub(super) fn png(figure: &MapFigure) -> Result<Vec<u8>, String> {
     let layout = Layout::new(figure);
     let (wide, high) = (units(WIDTH) as usize, units(layout.height) as usize);
     let mut pixels = vec![255; 3 * wide * high];
+    let mut used: Vec<Colour> = vec![[255; 3], [INK.0, INK.1, INK.2], [ARROW.0, ARROW.1, ARROW.2]];
     for (index, panel) in figure.panels.iter().enumerate() {
         let [left, top] = layout.corner(index).map(|v| units(v) as usize);
         let size = layout.map.map(|v| units(v) as usize);
         let (indices, colours) = (raster::raster(figure, panel, size), panel.scale.colours());
+        used.extend((0..colours.len()).filter(|i| indices.contains(&(*i as u8))).map(|i| colours[i]));
+        used.extend((0..panel.scale.bands).map(|band| panel.scale.colour(band)));
         for (row, line) in indices.chunks(size[0]).enumerate() {
             let start = 3 * ((top + row) * wide + left);
             let out = pixels[start..start + 3 * size[0]].chunks_exact_mut(3);
@@ -117,7 +120,7 @@ pub(super) fn png(figure: &MapFigure) -> Result<Vec<u8>, String> {
         let area = BitMapBackend::with_buffer(&mut pixels, (wide as u32, high as u32)).into_drawing_area();
         draw(figure, &layout, &area).and_then(|()| area.present()).map_err(|e| format!("cannot draw a map: {e}"))?;
     }
-    png::reduced(WIDTH as usize, &averaged(&pixels, wide))
+    png::reduced(WIDTH as usize, &averaged(&pixels, wide), &used)
 }
 
 /// The picture at a quarter of its width and height: each pixel is the mean of 4 x 4.

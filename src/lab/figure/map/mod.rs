@@ -114,7 +114,7 @@ mod tests {
         assert_eq!(svg.matches("<image ").count(), 2);
         let png = figure().png().expect("a figure");
         let picture = image::load_from_memory(&png).expect("a PNG").to_rgb8();
-        assert_eq!(picture.width(), 960);
+        assert_eq!(picture.width(), 880);
         // Water, sand and text are there: blue, yellow and dark pixels.
         let count = |is: &dyn Fn(&image::Rgb<u8>) -> bool| picture.pixels().filter(|p| is(p)).count();
         assert!(count(&|p| p[2] > p[0].saturating_add(60)) > 5000, "water");
