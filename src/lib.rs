@@ -25,6 +25,7 @@ pub mod app;
 pub mod bench;
 #[cfg(all(feature = "desktop", not(target_arch = "wasm32")))]
 pub mod cli;
+pub mod coast;
 pub mod files;
 #[cfg(feature = "app")]
 pub mod governor;

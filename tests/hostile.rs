@@ -37,7 +37,9 @@ fn kept_cases_do_no_harm() {
 fn changed_cases_do_no_harm() {
     let rounds: u32 = std::env::var("CHANGED_FILES").ok().and_then(|s| s.parse().ok()).unwrap_or(100_000);
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests");
-    for (target, check) in CHECKS.iter().filter(|(name, _)| ["swan", "wavewatch", "spotter", "netcdf"].contains(name)) {
+    for (target, check) in
+        CHECKS.iter().filter(|(name, _)| ["swan", "wavewatch", "spotter", "netcdf", "bathymetry"].contains(name))
+    {
         let folders = [root.join("cases").join(target), root.join("spectra")];
         let paths =
             folders.iter().flat_map(|f| std::fs::read_dir(f).expect("a folder").map(|e| e.expect("a file").path()));

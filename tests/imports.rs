@@ -11,6 +11,7 @@ const FORBIDDEN: &[(&str, &[&str])] = &[
     ("files", NO_GPU),
     ("state", NO_GPU),
     ("waves", NO_GPU),
+    ("coast", NO_GPU),
     ("point", NO_GPU),
     ("oracle", NO_GPU),
     ("gpu", NO_WINDOW),

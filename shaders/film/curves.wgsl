@@ -27,7 +27,7 @@ const TONE_FILM_WHITEST = 4.0;
 // many doublings. Between the logarithms of the release the hold ends, so that the disc of the sun is white and the
 // light around it keeps its hue.
 const TONE_FILM_SHOULDER = vec2f(0.5, 2.02);
-const TONE_FILM_RELEASE = vec2f(6.0, 11.0);
+const TONE_FILM_RELEASE = vec2f(4.0, 9.0);
 
 fn tone_film_response(log_light: vec4f) -> vec4f {
   let light = exp2(TONE_FILM_CONTRAST * log_light);

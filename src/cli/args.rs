@@ -165,6 +165,17 @@ pub enum Command {
         #[arg(short, long)]
         output: PathBuf,
     },
+    /// Solves what the sea becomes over a coast: prints heights, directions and breaking from the open sea to the beach, and
+    /// writes maps, fields and gauges. Needs no GPU. The page, the window and 'render' do not show coasts yet
+    #[command(after_help = "Built-in coasts:\n  \
+        beach     a long sandy beach before dunes\n  \
+        headland  a rocky headland beside a bay\n  \
+        island    an island before a beach\n  \
+        harbour   two breakwaters of rubble around a basin with a quay\n  \
+        bar       a sand bar along a beach, cut by a channel\n  \
+        shoal     an underwater hill that focuses waves\n\
+        Example: seastate coast 'hs=2&tp=9' --coast headland -o headland.png --gauges '900,600;1300,1150'")]
+    Coast(super::coast::CoastArgs),
     /// Lists the spectra of a file with several times or places: number, height, peak period, time and place
     Spectra {
         /// The file, or the files of one buoy

@@ -2,6 +2,7 @@
 
 mod args;
 mod bench;
+mod coast;
 mod compare;
 mod info;
 mod spectra;
@@ -90,6 +91,7 @@ fn run(cli: Cli) -> Result<i32, String> {
             record.write(&output, format)?;
             format!("{}: the rms height of the waves left out is {:.3} m", output.display(), record.residual_rms_m)
         }
+        Some(Command::Coast(args)) => coast::run(&args, &read_sea_params(&args.sea)?, report_notices)?,
         Some(Command::Spectra { files }) => spectra::listing(&files)?,
         Some(Command::Stats { sea: args, seeds, crests, hours, json }) => {
             let (params, notices) = args.read()?;

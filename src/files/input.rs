@@ -2,7 +2,10 @@
 
 use super::{measured, panorama};
 #[cfg(not(target_arch = "wasm32"))]
-use std::{io::Read as _, path::PathBuf};
+use std::{
+    io::Read as _,
+    path::{Path, PathBuf},
+};
 
 /// Size limit of a file with this name, bytes: for .hdr, .exr and .png that of a sky image, else of a measured
 /// spectrum.
@@ -19,13 +22,19 @@ pub fn max_file_bytes(name: &str) -> usize {
 /// Returns one sentence that names the file, if a file cannot be opened or read.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn read_all(paths: &[PathBuf]) -> Result<Vec<(String, Vec<u8>)>, String> {
-    let read = |path: &PathBuf| {
-        let name = path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
-        let fault = |e: std::io::Error| format!("cannot read {}: {e}", path.display());
-        let mut bytes = Vec::new();
-        let file = std::fs::File::open(path).map_err(fault)?;
-        file.take(max_file_bytes(&name) as u64 + 1).read_to_end(&mut bytes).map_err(fault)?;
-        Ok((name, bytes))
-    };
-    paths.iter().map(read).collect()
+    paths.iter().map(|path| read_up_to(path, max_file_bytes(&path.to_string_lossy()))).collect()
+}
+
+/// Reads a file and returns its name and its content, of a file above `max_bytes` one byte more than that.
+///
+/// # Errors
+/// Returns one sentence that names the file, if it cannot be opened or read.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn read_up_to(path: &Path, max_bytes: usize) -> Result<(String, Vec<u8>), String> {
+    let name = path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
+    let fault = |e: std::io::Error| format!("cannot read {}: {e}", path.display());
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(fault)?;
+    file.take(max_bytes as u64 + 1).read_to_end(&mut bytes).map_err(fault)?;
+    Ok((name, bytes))
 }

@@ -1,6 +1,7 @@
-//! Readers of files that users bring: measured spectra, sky images and pictures; and writers of spectra. Every size limit is checked before
-//! memory is allocated.
+//! Readers of files that users bring: measured spectra, bathymetry, sky images and pictures; and writers of spectra. Every
+//! size limit is checked before memory is allocated.
 
+pub mod bathymetry;
 #[cfg(feature = "files")]
 pub mod input;
 pub mod measured;

@@ -1,6 +1,7 @@
 //! The laboratory: measures, compares, exports and documents the sea. The command line and the tests call it.
 
 pub mod check;
+pub mod coast;
 pub mod crests;
 pub mod ensemble;
 pub mod estimate;

@@ -26,6 +26,11 @@ impl Dispersion {
         }
     }
 
+    /// Water depth, m; infinite for deep water.
+    pub fn depth_m(&self) -> f64 {
+        self.depth_m
+    }
+
     /// Makes the dispersion relation of gravity waves in water of finite depth, without surface tension.
     pub fn finite_depth(gravity_m_s2: f64, depth_m: f64) -> Self {
         Self { gravity_m_s2, depth_m, tension_m3_s2: 0.0 }

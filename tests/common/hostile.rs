@@ -2,6 +2,8 @@
 //! `tests/hostile.rs` runs all of them over the kept cases.
 #![allow(dead_code, reason = "each fuzz target runs one check")]
 
+use seastate::coast::placed::{PlacedCoast, PlacingOptions};
+use seastate::files::bathymetry::{self as bathymetry_files, MAX_ELEVATION_M, ReadAs};
 use seastate::files::measured::{MAX_TEXT_BYTES, MeasuredSpectrum};
 use seastate::files::{panorama, picture};
 use seastate::state::fields::FIELDS;
@@ -17,7 +19,7 @@ const NEXT_FILE: u8 = 0x1c;
 type Check = (&'static str, fn(&[u8]));
 
 /// All checks.
-pub const CHECKS: [Check; 9] = [
+pub const CHECKS: [Check; 10] = [
     ("state", state),
     ("sky", sky),
     ("buoy", buoy),
@@ -27,6 +29,7 @@ pub const CHECKS: [Check; 9] = [
     ("wavewatch", spectra),
     ("spotter", spectra),
     ("netcdf", spectra),
+    ("bathymetry", bathymetry),
 ];
 
 /// Reads a state string. Reading never fails, and the result is written in a form that is read back as the same state.
@@ -73,6 +76,31 @@ pub fn spectra(bytes: &[u8]) {
             }
         }
         Err(reason) => assert!(reason.starts_with('a') && reason.lines().count() == 1, "{reason}"),
+    }
+}
+
+/// Reads a bathymetry in each way in which a user may have it read, and places it as a coast.
+pub fn bathymetry(bytes: &[u8]) {
+    for is_positive_up in [None, Some(true), Some(false)] {
+        let read_as = ReadAs { is_positive_up, is_in_degrees: is_positive_up };
+        match bathymetry_files::read("a", bytes, read_as) {
+            Ok(file) => {
+                let grid = &file.grid;
+                assert!(grid.columns >= 2 && grid.rows >= 2 && file.notices.len() < 6);
+                assert_eq!(grid.elevation_m.len(), grid.columns * grid.rows);
+                let limit = MAX_ELEVATION_M as f32 * 1.01;
+                assert!(grid.elevation_m.iter().all(|v| v.abs() <= limit));
+                assert!(grid.cell_m.iter().all(|c| (1e-3..1e6).contains(c)));
+                match PlacedCoast::from_file(&file, &PlacingOptions::default()) {
+                    Ok(coast) => {
+                        assert!(coast.bathymetry.depth_m.iter().all(|d| d.is_finite()));
+                        assert!((0.0..360.0).contains(&coast.toward_deg));
+                    }
+                    Err(reason) => assert!(reason.starts_with("a: ") && reason.lines().count() == 1, "{reason}"),
+                }
+            }
+            Err(reason) => assert!(reason.starts_with("a: ") && reason.lines().count() == 1, "{reason}"),
+        }
     }
 }
 

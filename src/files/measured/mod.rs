@@ -14,7 +14,7 @@ mod spectrum;
 mod state;
 #[cfg(test)]
 mod tests;
-mod text;
+pub(in crate::files) mod text;
 mod write;
 
 pub use direction::DirectionalParameters;

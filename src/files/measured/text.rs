@@ -5,10 +5,10 @@ use std::fmt::Display;
 /// Largest file of a measured spectrum that is read, bytes.
 pub const MAX_FILE_BYTES: usize = 16 << 20;
 /// Largest number of columns in a line of a spectrum file; a line with more is an error.
-pub(super) const MAX_COLUMNS: usize = 4096;
+pub(in crate::files) const MAX_COLUMNS: usize = 4096;
 
 /// A decoded text file, and its name without folders, cut to 60 printable characters for messages.
-pub(super) struct TextFile<'a> {
+pub(in crate::files) struct TextFile<'a> {
     pub name: String,
     pub text: &'a str,
 }
@@ -51,40 +51,40 @@ impl<'a> TextFile<'a> {
 }
 
 /// Why a file above the limit is refused.
-pub(super) fn too_large() -> String {
+pub(in crate::files) fn too_large() -> String {
     format!("the file is larger than {} MiB: keep fewer records in it", MAX_FILE_BYTES >> 20)
 }
 
 /// Name of a file without folders, cut to 60 printable characters for messages. A browser gives the bare name, a command
 /// line the path.
-pub(super) fn short_name(name: &str) -> String {
+pub(in crate::files) fn short_name(name: &str) -> String {
     let name = printable_prefix(name.rsplit(['/', '\\']).next().unwrap_or_default(), 60);
     if name.is_empty() { "(no name)".into() } else { name }
 }
 
 /// Returns a line without byte order mark and surrounding white space.
-pub(super) fn trimmed_line(line: &str) -> &str {
+pub(in crate::files) fn trimmed_line(line: &str) -> &str {
     line.trim_start_matches('\u{feff}').trim()
 }
 
 /// Parses a finite decimal number; None for other text, such as "inf" or "nan".
-pub(super) fn parse_number(text: &str) -> Option<f64> {
+pub(in crate::files) fn parse_number(text: &str) -> Option<f64> {
     let plain = |b: u8| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+' | b'e' | b'E');
     text.bytes().all(plain).then(|| text.parse().ok()).flatten().filter(|v: &f64| v.is_finite())
 }
 
 /// Formats a number for a message, with an exponent if its magnitude is below 1e-6 or at least 1e9.
-pub(super) fn display_number(v: f64) -> String {
+pub(in crate::files) fn display_number(v: f64) -> String {
     if v == 0.0 || (1e-6..1e9).contains(&v.abs()) { v.to_string() } else { format!("{v:e}") }
 }
 
 /// Formats a word or line of a file for an error message: in quotation marks, cut to 24 characters.
-pub(super) fn quoted_excerpt(text: &str) -> String {
+pub(in crate::files) fn quoted_excerpt(text: &str) -> String {
     format!("\"{}\"", printable_prefix(text, 24))
 }
 
 /// Returns the printable characters of a text; of more than `limit`, the first `limit` - 1 and an ellipsis.
-pub(super) fn printable_prefix(text: &str, limit: usize) -> String {
+pub(in crate::files) fn printable_prefix(text: &str, limit: usize) -> String {
     // Unicode format characters, such as bidirectional marks, change or hide the text around them.
     let hidden = |c: char| {
         let format =

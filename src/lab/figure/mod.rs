@@ -1,6 +1,7 @@
 //! Figures of the validation page in one style: axes, curves, points with error bars, shaded ranges, histogram bars.
 
 mod draw;
+pub mod map;
 
 /// An axis of a figure: its label with the unit, its range, and whether it is logarithmic.
 #[derive(Clone, Debug)]
