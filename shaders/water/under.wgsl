@@ -24,6 +24,8 @@ const UNDER_SHADE = 0.6;
 const UNDER_EDGE_DISTANCE_M = 50.0;
 // The curved water magnifies and blurs: size of a pixel on the bed that it shows, relative to one without it.
 const UNDER_BLUR = 24.0;
+// Whether a part of the lens may stand in the air: if not, there is no waterline to look for.
+override UNDER_SEES_AIR: bool = true;
 // Binary logarithm of the size of the surface, m, through which the water in the picture is lit.
 const UNDER_LOG_LIT_M = 5.0;
 // The search for the waterline in a column of pixels: its reach up and down, in climbs, and the number of halvings.
@@ -180,7 +182,10 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let y = water_pixel_side(dpdyFine(at), side_m);
   let dx = frame.footprint_scale * x.side;
   let dy = frame.footprint_scale * y.side;
-  let begins = under_begins(pixel, in.ray);
+  var begins = true;
+  if UNDER_SEES_AIR {
+    begins = under_begins(pixel, in.ray);
+  }
   let shows_ceiling = begins && is_water;
   let foot = water_footprint(dx, dy);
   var place = vec3f(0.0);
@@ -195,12 +200,15 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shows_ceiling);
   let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && shows_ceiling);
   var bent = UnderMeniscus(normalize(in.ray), 0.0, 1.0);
-  let rise = under_rise(pixel, in.ray, begins);
-  if !begins {
-    if rise >= 1.0 {
-      discard;
+  var rise = -2.0;
+  if UNDER_SEES_AIR {
+    rise = under_rise(pixel, in.ray, begins);
+    if !begins {
+      if rise >= 1.0 {
+        discard;
+      }
+      bent = under_bent(bent.dir, max(rise, 0.0));
     }
-    bent = under_bent(bent.dir, max(rise, 0.0));
   }
   let dir = bent.dir;
   let depth_m = shafts_eye_depth_m();
@@ -223,7 +231,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   let gain = shafts_gain(shafts_map, dir, depth_m, length_m);
   radiance = radiance * medium_transmittance(length_m) + medium_radiance(dir, depth_m, length_m, gain);
-  if !begins {
+  if UNDER_SEES_AIR && !begins {
     let lifted = vec3f(dir.x, abs(dir.y), dir.z);
     let uv = 0.5 + MIRRORED_SCALE * lifted.xz / (1.0 + lifted.y);
     let sky_there = textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), 0.0), 0.0).rgb;

@@ -13,7 +13,7 @@ use crate::render::targets::{
     DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, G_BUFFER_FORMATS, HDR_FORMAT, Targets, attachments, begin_pass,
     cleared_attachment,
 };
-use crate::render::variants::PipelineVariants;
+use crate::render::variants::{PipelineVariants, switch_constant};
 use crate::shaders::Shaders;
 use wgpu::BindingResource::TextureView;
 
@@ -38,7 +38,8 @@ struct Made {
     module: wgpu::ShaderModule,
     g_buffer_pipeline: wgpu::RenderPipeline,
     shafts_pipeline: wgpu::RenderPipeline,
-    light_pipelines: PipelineVariants<WaterLightVariant>,
+    /// Keyed by the parts of the picture and by whether a part of the lens may stand in the air.
+    light_pipelines: PipelineVariants<(WaterLightVariant, bool)>,
     layout: wgpu::BindGroupLayout,
     /// Map of light shafts: irradiance by the sun relative to its mean, at four depths.
     shafts: wgpu::TextureView,
@@ -96,10 +97,12 @@ impl UnderPass {
         let parts = WaterLightVariant::new(scene, water.scene.output);
         let (gpu, module, format) = (gpu.clone(), made.module.clone(), water.scene.output.format());
         let layouts = [&water.scene.layout, water.maps_layout(), &made.layout].map(Clone::clone);
-        made.light_pipelines.select(parts, scene.may_keep_pipelines, move || {
+        let sees_air = !scene.is_submerged();
+        made.light_pipelines.select((parts, sees_air), scene.may_keep_pipelines, move || {
             // Schlick's approximation is for light that comes from the air.
             let exact = |(name, value)| (name, if name == "WATER_SCHLICK" { 0.0 } else { value });
-            let constants = parts.constants().map(exact);
+            let mut constants = parts.constants().map(exact).to_vec();
+            constants.push(switch_constant("UNDER_SEES_AIR", sees_air));
             let program = RenderProgram {
                 module: &module,
                 entry_points: ["light_vertex", "under_fragment"],
