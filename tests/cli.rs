@@ -40,6 +40,10 @@ fn bad_arguments_are_one_line_and_exit_code_2() {
         &["spectra", "/nonexistent.sp2"],
         &["wind=10", "wind=11"],
         &["check", "--nonsense"],
+        &["coast", "wind=10"],
+        &["coast", "wind=10", "--coast", "/nonexistent.tif"],
+        &["coast", "wind=10", "--coast", "beach", "--gauges", "1"],
+        &["coast", "wind=10", "--coast", "beach", "-o", "a.txt"],
         &["bench", "--repeat", "-1"],
     ] {
         let output = seastate(args);
@@ -433,4 +437,22 @@ fn a_record_is_written() {
             assert!(bytes.starts_with(b"CDF\x02"));
         }
     }
+}
+
+#[test]
+fn a_coast_is_told_and_written() {
+    let folder = folder("coasts");
+    let files = ["maps.svg", "fields.nc", "gauges.csv"].map(|name| folder.join(name));
+    let mut args = vec!["coast", "hs=2&tp=9&dir=270", "--coast", "beach", "--cell", "25", "--gauges", "400,700"];
+    files.iter().for_each(|file| args.extend(["-o", file.to_str().expect("a path")]));
+    let output = seastate(&args);
+    assert_eq!((output.status.code(), complaints(&output)), (Some(0), vec![]), "{output:?}");
+    let said = String::from_utf8_lossy(&output.stdout);
+    for part in ["Straight beach", "open sea", "5 m of water", "gauge 1", "run-up"] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    let bytes = files.map(|file| std::fs::read(file).expect("a file"));
+    assert!(bytes[0].starts_with(b"<svg") || bytes[0].starts_with(b"<?xml"));
+    assert!(bytes[1].starts_with(b"CDF"));
+    assert!(String::from_utf8_lossy(&bytes[2]).lines().count() > 10);
 }

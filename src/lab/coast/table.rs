@@ -6,6 +6,9 @@ use std::fmt;
 /// Depths of the lines of the table, m.
 pub(super) const DEPTHS_M: [f64; 3] = [10.0, 5.0, 2.0];
 
+/// Steepest slope of a sea bed (Booij 1983).
+const MOST_SLOPE: f64 = 1.0 / 3.0;
+
 /// The sea along a contour of the depth, or along the side that faces the open sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeaAtDepth {
@@ -31,9 +34,10 @@ impl CoastSea {
         let place = |j: usize| {
             let i = (1..grid.columns).find(|i| grid.at(*i, j) <= depth_m && grid.at(*i - 1, j) > depth_m)?;
             let (deep, shallow) = (grid.at(i - 1, j), grid.at(i, j));
-            let t = (deep - depth_m) / (deep - shallow);
-            // Next to land there is nothing to interpolate with.
-            Some((j * grid.columns + i - 1, if shallow > 0.0 { t } else { 0.0 }))
+            // Where the bed is steeper than the mild-slope equation allows, it is the foot of a structure, before which
+            // reflected waves stand.
+            let is_bed = shallow > 0.0 && deep - shallow < MOST_SLOPE * grid.cell_m;
+            is_bed.then(|| (j * grid.columns + i - 1, (deep - depth_m) / (deep - shallow)))
         };
         self.mean(depth_m, (0..grid.rows).filter_map(place))
     }
