@@ -59,7 +59,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Southern Ocean storm",
         description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough, with the \
                       sun behind a torn deck.",
-        state: "v=2&wind=26&fetch=750&dir=270&sun=20&sunaz=250&clouds=storm&cloudcover=0.6&glints=1&gusts=1&spray=1\
+        state: "v=2&wind=26&fetch=750&dir=270&sun=20&sunaz=250&clouds=storm&cloudcover=0.6&glints=1&gusts=1&spray=1&exposure=0.7\
                 &bloom=0.04&y=3&heading=261&pitch=3&fov=26&t=43",
     },
     GalleryPicture {
