@@ -67,8 +67,7 @@ fn run(cli: Cli) -> Result<i32, String> {
         Some(Command::Render { sea: args, size, output, reference, samples, reference_seed, .. }) => {
             let sampling =
                 reference.then_some(SamplingSettings { min_samples_per_pixel: samples, seed: reference_seed });
-            let params = read_sea_params(&args)?;
-            block_on(render::write_picture(&gpu()?, &params, size, sampling, &output))?;
+            block_on(render::write_picture(&gpu()?, &read_sea_params(&args)?, size, sampling, &output))?;
             return Ok(0);
         }
         Some(Command::Compare { reference, test, map, ppd }) => {
@@ -99,10 +98,12 @@ fn run(cli: Cli) -> Result<i32, String> {
             if let Some(path) = &crests {
                 statistics.crests.write_csv(path, &query::write(&params))?;
             }
-            if !json {
+            if json {
+                statistics.json(&notices)
+            } else {
                 report_notices(&notices);
+                statistics.to_string()
             }
-            if json { statistics.json(&notices) } else { statistics.to_string() }
         }
         Some(Command::Bench { sea: args, sizes, budget: true, .. }) => {
             let sizes = if sizes.is_empty() { vec![[1920, 1080]] } else { sizes };
@@ -117,9 +118,8 @@ fn run(cli: Cli) -> Result<i32, String> {
             };
             let options =
                 BenchOptions { picture_sizes_px: sizes, submissions_per_measurement: repeat, matrix, baseline };
-            let params = read_sea_params(&args)?;
             let progress = |what: &str| eprintln!("seastate: measuring {what}");
-            let report = block_on(crate::bench::run(&gpu()?, &params, &options, progress))?;
+            let report = block_on(crate::bench::run(&gpu()?, &read_sea_params(&args)?, &options, progress))?;
             if json { pretty_json(&bench::report_json(&report)) } else { report.to_string() }
         }
         Some(Command::Info { json }) => {

@@ -138,7 +138,7 @@ fn unit_m(units: &str, notices: &mut Vec<String>) -> f64 {
         "feet" | "foot" | "ft" => 0.3048,
         "fathom" | "fathoms" => 1.8288,
         other => {
-            notices.push(format!("the unit {:?} of the values is unknown: they are read as metres", other));
+            notices.push(format!("the unit {other:?} of the values is unknown: they are read as metres"));
             1.0
         }
     }

@@ -61,7 +61,7 @@ fn parse(text: &str) -> Result<(Vec<[f64; 3]>, String), String> {
             let number = parse_number(field).or_else(|| field.eq_ignore_ascii_case("nan").then_some(f64::NAN));
             *value = number.ok_or_else(|| format!("line {}: {} is not a number", i + 1, quoted_excerpt(field)))?;
         }
-        if point[..2].iter().any(|v| !(v.abs() <= 1e9)) {
+        if point[..2].iter().any(|v| v.is_nan() || v.abs() > 1e9) {
             return Err(format!("line {}: {} is no place", i + 1, quoted_excerpt(line)));
         }
         // NaN and -9999 are points without data, as in an ESRI ASCII grid.

@@ -32,7 +32,7 @@ impl CoastSea {
             (0..points).map(|i| if grid.depth_m[i] > 0.0 { values(i) } else { f32::NAN }).collect()
         };
         let hs = in_water(&|i| self.maps.hs_m[i]);
-        let from = in_water(&|i| self.from_deg(f64::from(self.maps.direction_rad[i])) as f32);
+        let from = in_water(&|i| self.bearing_of(f64::from(self.maps.direction_rad[i])) as f32);
         let period = in_water(&|i| self.maps.peak_period_s[i]);
         let breaking = in_water(&|i| self.maps.breaking_fraction[i]);
         let surface = if self.surface_m.is_empty() { Vec::new() } else { in_water(&|i| self.surface_m[i]) };

@@ -219,7 +219,7 @@ fn foreshore_slope(coast: &PlacedCoast) -> Option<f64> {
 
 impl CoastSea {
     /// Bearing (degrees clockwise from north) that waves come from which travel in a direction of the coast's frame (rad).
-    fn from_deg(&self, direction_rad: f64) -> f64 {
+    fn bearing_of(&self, direction_rad: f64) -> f64 {
         bearing_from_deg(&self.coast, direction_rad)
     }
 }

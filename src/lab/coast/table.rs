@@ -74,7 +74,7 @@ impl CoastSea {
             hs_m: mean[0].sqrt(),
             range_m: range,
             tp_s: mean[1],
-            from_deg: self.from_deg(heading[1].atan2(heading[0])),
+            from_deg: self.bearing_of(heading[1].atan2(heading[0])),
             breaking_fraction: mean[2],
         })
     }

@@ -78,7 +78,7 @@ impl Layout {
         let piece_bytes = (piece[0].checked_mul(piece[1]))
             .and_then(|pixels| pixels.checked_mul(sample_bytes)?.checked_mul(samples_per_pixel));
         let all_bytes = piece_bytes.and_then(|bytes| bytes.checked_mul(count));
-        if !piece_bytes.is_some_and(|b| b <= MAX_PIECE_BYTES) || !all_bytes.is_some_and(|b| b <= MAX_BYTES) {
+        if piece_bytes.is_none_or(|b| b > MAX_PIECE_BYTES) || all_bytes.is_none_or(|b| b > MAX_BYTES) {
             return Err(format!(
                 "its strips or tiles unpack to more than {} MiB each or {} MiB together: save it with one band, in tiles \
                  of 256 x 256",

@@ -8,7 +8,7 @@ pub(super) fn contours(values: &[f32], columns: usize, level: f64) -> Vec<Vec<[f
     // Crossings lie on edges: 2 (j columns + i) from point (i, j) to the next column, one more to the next row.
     let crossing = |edge: usize| {
         let (i, j) = (edge / 2 % columns, edge / 2 / columns);
-        let (u, v) = if edge % 2 == 0 { (i + 1, j) } else { (i, j + 1) };
+        let (u, v) = if edge.is_multiple_of(2) { (i + 1, j) } else { (i, j + 1) };
         let (a, b) = (value(i, j), value(u, v));
         let t = if a == b { 0.5 } else { a / (a - b) };
         [i as f64 + t * (u - i) as f64, j as f64 + t * (v - j) as f64]
