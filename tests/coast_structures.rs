@@ -68,7 +68,7 @@ fn pile_of_maccamy_and_fuchs() {
                 }
             }
         }
-        println!("T {period_s} s: worst {worst:.4}, rms {:.4}, highest {highest:.3}", (sum / count as f64).sqrt());
+        eprintln!("T {period_s} s: worst {worst:.4}, rms {:.4}, highest {highest:.3}", (sum / count).sqrt());
         assert!(worst < 0.05, "worst error {worst}");
         assert!(highest > 1.5);
     }
@@ -96,7 +96,7 @@ fn breakwater_of_penney_and_price() {
                 }
             }
         }
-        println!("{direction_deg} degrees: worst {worst:.4} at {place:?}");
+        eprintln!("{direction_deg} degrees: worst {worst:.4} at {place:?}");
         assert!(worst < 0.03, "worst error {worst} at {place:?}");
     }
 }
@@ -159,7 +159,7 @@ fn elliptic_shoal_of_berkhoff_booij_and_radder() {
         let apart: f64 = pairs().map(|(a, b)| (a - b).powi(2)).sum();
         let spread: f64 = pairs().map(|(a, b)| ((a - mean).abs() + (b - mean).abs()).powi(2)).sum();
         let index = 1.0 - apart / spread;
-        println!("section {}: index of agreement {index:.4}", number + 1);
+        eprintln!("section {}: index of agreement {index:.4}", number + 1);
         assert!(index > 0.95, "section {}: {index}", number + 1);
         highest = exact.iter().copied().fold(highest, f64::max);
     }
@@ -184,7 +184,9 @@ fn slope_of_booij_reflects_and_transmits() {
         let (low, high) = (heights.iter().copied().fold(9.0, f64::min), heights.iter().copied().fold(0.0, f64::max));
         let behind = field.amplitude(0, 140, 12).modulus();
         let seen = 0.5 * (high - low);
-        println!("width {width_m}: reflection {seen:.4} ({reflected:.4}), transmission {behind:.4} ({transmitted:.4})");
+        eprintln!(
+            "width {width_m}: reflection {seen:.4} ({reflected:.4}), transmission {behind:.4} ({transmitted:.4})"
+        );
         assert!((seen - reflected).abs() < 0.01, "reflection {seen}, not {reflected}");
         assert!((behind / transmitted - 1.0).abs() < 0.01, "transmission {behind}, not {transmitted}");
     }
@@ -219,7 +221,7 @@ fn island_of_homma() {
             }
         }
     }
-    println!("island: worst {worst:.4} at {place:?}, highest {highest:.3}");
+    eprintln!("island: worst {worst:.4} at {place:?}, highest {highest:.3}");
     assert!(worst < 0.05 * highest, "worst error {worst} at {place:?}, highest {highest}");
 }
 
@@ -240,11 +242,11 @@ fn load_of_500_components() {
     let waves: Vec<Incident> = (0..500).map(component).collect();
     let start = web_time();
     let (_, dissipation) = seastate::coast::parabolic::solve(&bathymetry, &waves, &Options::default());
-    println!("parabolic: {:.2} s", start.elapsed().as_secs_f64());
+    eprintln!("parabolic: {:.2} s", start.elapsed().as_secs_f64());
     let start = web_time();
     let walls = elliptic::reflection_by_slope(&bathymetry, 2.0, 150.0);
     let field = elliptic::solve(&bathymetry, &waves, &dissipation, &walls, &Options::default());
-    println!("elliptic: {:.2} s", start.elapsed().as_secs_f64());
+    eprintln!("elliptic: {:.2} s", start.elapsed().as_secs_f64());
     assert!(field.components.iter().all(|c| c.envelope.iter().flatten().all(|v| v.is_finite())));
 }
 

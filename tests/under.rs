@@ -174,8 +174,7 @@ fn shafts_keep_the_mean_of_the_sunlight() {
     }
 }
 
-/// On a flat sea, the surface crosses the lens where geometry says, all along, and water climbs the glass from there by
-/// the root of 2 capillary lengths. The picture has no hole.
+/// On a flat sea, the surface crosses the lens where geometry says, all along, and the picture has no hole.
 #[test]
 fn the_waterline_is_where_the_surface_cuts_the_lens() {
     const SIZE: [u32; 2] = [96, 128];
@@ -183,9 +182,8 @@ fn the_waterline_is_where_the_surface_cuts_the_lens() {
     for dive_m in [0.005, 0.01, 0.02] {
         let (light, view) = flat_light(&gpu, &format!("dive={dive_m}&pitch=0&sun=50&heading=200"), SIZE);
         assert!(light.iter().all(|p| p.iter().all(|c| c.is_finite()) && p[3] >= 0.99), "a hole at {dive_m} m");
-        // The lens is 0.1 m before the eye. The capillary length of sea water is 2.7 mm.
-        let edge_m = dive_m + 2f64.sqrt() * 0.0027;
-        let line = 0.5 * f64::from(SIZE[1]) * (1.0 - edge_m / 0.1 / view.tan_half_fov[1]);
+        // The lens is 0.1 m before the eye.
+        let line = 0.5 * f64::from(SIZE[1]) * (1.0 - dive_m / 0.1 / view.tan_half_fov[1]);
         for x in 0..SIZE[0] {
             // Water is much less red than the air and what it mirrors.
             let ratio = |y: u32| light[(y * SIZE[0] + x) as usize][0] / light[(y * SIZE[0] + x) as usize][2];

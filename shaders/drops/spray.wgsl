@@ -12,23 +12,15 @@
 // Number of places along a side of a grid (`SIDE` in src/render/drops/spray.rs).
 const SPRAY_SIDE = 96u;
 // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
-const SPRAY_COARSE_SHARE = 0.5;
-// Optical depth of the middle of a young puff of mist.
-const SPRAY_MIST_DEPTH = 0.32;
-// Exposure time over which a drop draws its streak, s.
-const SPRAY_EXPOSURE_S = 0.006;
-// Least distance between two drops, m, and in pixels: the first is doubled until the second holds.
-const SPRAY_DROP_CELL_M = 0.016;
-const SPRAY_DROP_CELL_PIXELS = 1.4;
-// Fraction of the cells in the middle of a young puff that hold a drop.
-const SPRAY_DROP_SHARE = 0.9;
-// Opacity of sheets and of drops.
-const SPRAY_SHEET_OPACITY = 0.75;
-const SPRAY_DROP_OPACITY = 0.9;
+const SPRAY_COARSE_SHARE = 0.35;
+// Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
+const SPRAY_OPTICAL_DEPTH = vec2f(0.6, 0.8);
+// Exposure time over which a puff moves in the picture, s.
+const SPRAY_EXPOSURE_S = 0.02;
 // Range of the front of a breaker over which it throws up spray.
 const SPRAY_FRONT_RANGE = vec2f(0.3, 0.8);
 // Distances from the eye over which puffs appear, m.
-const SPRAY_NEAR_M = vec2f(4.0, 12.0);
+const SPRAY_NEAR_M = vec2f(1.5, 5.0);
 // Share of the sunlight that drops scatter forwards, and the asymmetry of that lobe; and the share of sunlight and
 // skylight that leaves a cloud of drops evenly, 1/sr.
 const SPRAY_FORWARD_SHARE = 0.6;
@@ -47,12 +39,6 @@ struct SprayFragment {
   @location(3) @interpolate(flat) light: vec4f,
   // Distance along the viewing direction, and over which the puff fades into what it touches, m.
   @location(4) @interpolate(flat) depth: vec2f,
-  // Coarse puffs: cells of drops in the quad's half length (x) and half width (y), half length of a streak (z) and size
-  // of a pixel (w) in widths of a cell.
-  @location(5) @interpolate(flat) cells: vec4f,
-  // Length of a cell in widths (x), fraction of the cells that hold a drop (y), and that which sheets cover (z).
-  @location(6) @interpolate(flat) torn: vec3f,
-  @location(7) @interpolate(flat) seed: u32,
 }
 
 // Values of the foam map at an undisplaced position: foam, source, front and plume. The finest level is left out: its
@@ -83,12 +69,9 @@ struct SprayPuff {
   position: vec3f,
   velocity: vec3f,
   radius_m: f32,
+  optical_depth: f32,
   // Length divided by width.
   stretch: f32,
-  // Whether it is drops and sheets that fly in an arc, not mist.
-  is_coarse: bool,
-  // Amount of water in the middle, 0 to 1 when it is young.
-  strength: f32,
 }
 
 // A puff at the age `age` (a fraction of its life) from the undisplaced place `place`. `random` and `more` are uniform.
@@ -119,13 +102,13 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   out.position = vec3f(place.x, 0.0, place.y) + moved + rest * t + change * (relaxation_s * (1.0 - left));
   out.velocity = rest + change * left;
   // Turbulence widens a puff, which thins.
-  let young_m = cell_m * select(0.6 + 0.6 * random.z, 0.4 + 0.4 * random.z, is_coarse);
+  let young_m = cell_m * select(0.4 + 0.4 * random.z, 0.3 + 0.3 * random.z, is_coarse);
   let growth = select(0.7 + 1.8 * age, 0.7 + 1.0 * age, is_coarse);
   out.radius_m = young_m * growth;
-  out.stretch = select(1.3 + 2.0 * age, 1.4, is_coarse);
+  out.stretch = select(1.8 + 3.0 * age, 1.5, is_coarse);
   let life = maths_smooth(age * 8.0) * pow(1.0 - age, select(3.0, 2.0, is_coarse));
-  out.is_coarse = is_coarse;
-  out.strength = torn * life / select(growth * growth, growth, is_coarse);
+  let depths = select(SPRAY_OPTICAL_DEPTH.x, SPRAY_OPTICAL_DEPTH.y, is_coarse);
+  out.optical_depth = depths * torn * life / (growth * growth);
   return out;
 }
 
@@ -148,19 +131,17 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let key = vec4u(cell, level, spray.moment + u32(time));
   let random = noise_pcg4d_unit(key);
   let more = noise_pcg4d_unit(key + 1u);
-  let last = noise_pcg4d(key + 2u);
-  if f32(last.x >> 8u) >= 16777216.0 * spray.share {
+  if noise_pcg4d_unit(key + 2u).x >= spray.share {
     return out;
   }
   let place = grid.corner + (vec2f(step) + random.xy) * grid.cell_m;
-  let age = fract(time);
-  let puff = spray_puff(level, place, age, random, more);
+  let puff = spray_puff(level, place, fract(time), random, more);
   let centre = vec3f(puff.position.x, puff.position.y - frame.eye_height_m, puff.position.z);
   let distance_m = length(centre);
   let shown = spray_level_share(level, distance_m) * smoothstep(SPRAY_NEAR_M.x, SPRAY_NEAR_M.y, distance_m);
-  let strength = puff.strength * shown;
+  let optical_depth = puff.optical_depth * shown;
   let ahead_m = dot(centre, frame.forward);
-  if strength < 0.008 || ahead_m < 0.5 {
+  if optical_depth < 0.004 || ahead_m < 0.5 {
     return out;
   }
   let dir = centre / distance_m;
@@ -168,83 +149,34 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let seen = puff.velocity - dir * dot(puff.velocity, dir);
   let speed = max(length(seen), 1e-3);
   let along = seen / speed;
-  let streak_m = SPRAY_EXPOSURE_S * speed;
-  let long_m = puff.radius_m * puff.stretch + 0.5 * streak_m;
+  let long_m = puff.radius_m * puff.stretch + 0.5 * SPRAY_EXPOSURE_S * speed;
   let at = drop_corner(corner);
   let point = centre + along * (at.x * long_m) + cross(dir, along) * (at.y * puff.radius_m);
   let drop = dot(point.xz, point.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
   out.clip = frame.clip_from_relative * vec4f(point.x, point.y - drop, point.z, 1.0);
   out.at = at;
-  let pixel_m = distance_m * frame.pixel_angle;
-  let scale = select(0.2, 0.11, puff.is_coarse);
-  out.noise = vec4f(random.wx, select(0.18, 0.6, puff.is_coarse) * scale * long_m / puff.radius_m, scale);
-  out.noise_lod = log2(max(512.0 * scale * pixel_m / puff.radius_m, 1.0));
-  out.depth = vec2f(ahead_m, 0.7 * puff.radius_m);
+  let scale = 0.16;
+  out.noise = vec4f(random.wx, 0.3 * scale * long_m / puff.radius_m, scale);
+  out.noise_lod = log2(max(512.0 * scale * distance_m * frame.pixel_angle / puff.radius_m, 1.0));
   let air = air_to_point(dir, distance_m);
-  let optical_depth = select(SPRAY_MIST_DEPTH * strength, 0.0, puff.is_coarse);
-  out.light = vec4f(min(spray_radiance(dir, centre.xz) * air[1] + air[0], vec3f(6e4)), optical_depth);
-  if puff.is_coarse {
-    let doublings = ceil(log2(max(SPRAY_DROP_CELL_PIXELS * pixel_m / SPRAY_DROP_CELL_M, 1.0)));
-    let width_m = SPRAY_DROP_CELL_M * exp2(doublings);
-    let aspect = 1.0 + streak_m / width_m;
-    out.cells = vec4f(
-      long_m / (aspect * width_m), puff.radius_m / width_m, 0.5 * streak_m / width_m, pixel_m / width_m);
-    out.torn = vec3f(aspect, SPRAY_DROP_SHARE * min(2.5 * strength, 1.0), strength * saturate(1.4 - 2.6 * age));
-    out.seed = last.y;
-  }
+  out.light = vec4f(spray_radiance(dir, centre.xz) * air[1] + air[0], optical_depth);
+  out.depth = vec2f(ahead_m, 0.7 * puff.radius_m);
   return out;
-}
-
-// Opacity of drops: streaks of all sizes, one at most in each cell of a lattice over the quad. Towards the edge of a
-// puff and with its age they become fewer and smaller, so that a puff has no edge of its own.
-fn spray_drops(in: SprayFragment) -> f32 {
-  let place = in.at * in.cells.xy;
-  let cell = floor(place);
-  let random = noise_pcg3d_unit(vec3u(bitcast<vec2u>(vec2i(cell)), in.seed));
-  let middle = (cell + 0.5) / in.cells.xy;
-  let share = in.torn.y * saturate(1.0 - dot(middle, middle));
-  let size = saturate(1.0 - random.z / max(share, 1e-3));
-  let radius = 0.28 * size * size;
-  let room = (1.0 - 2.0 * radius) / vec2f(in.torn.x, 1.0);
-  let off = (place - cell - 0.5 - (random.xy - 0.5) * room) * vec2f(in.torn.x, 1.0);
-  let distance = length(vec2f(max(abs(off.x) - in.cells.z, 0.0), off.y));
-  // A drop that is smaller than a pixel is drawn as large as one, and fainter.
-  let pixel = in.cells.w;
-  let drawn = max(radius, 0.5 * pixel);
-  let thin = radius / drawn;
-  return SPRAY_DROP_OPACITY * thin * thin * saturate((drawn - distance) / pixel + 0.5);
-}
-
-// Opacity of the sheets of water of a young puff, which tear into threads.
-fn spray_sheets(in: SprayFragment, inside: f32) -> f32 {
-  let cover = in.torn.z * inside;
-  let lace = textureSampleLevel(noise_map, noise_sampler, in.noise.xy + in.at * in.noise.zw, in.noise_lod).r - 0.5;
-  return SPRAY_SHEET_OPACITY * saturate(8.0 * cover) * saturate(9.0 * lace + 3.4 * cover - 3.2);
-}
-
-// Opacity of mist.
-fn spray_mist(in: SprayFragment, inside: f32) -> f32 {
-  // The product of two independent noises has the mean of both, at every mip level.
-  let wide_at = in.noise.xy + in.at * in.noise.zw;
-  let wide = textureSampleLevel(noise_map, noise_sampler, wide_at, in.noise_lod).b;
-  let fine = textureSampleLevel(noise_map, noise_sampler, 2.7 * wide_at + 0.37, in.noise_lod + 1.4).g;
-  // The square of the noise has more contrast than the noise. It is divided by its mean, which falls to 1 as pixels
-  // grow and the mip levels of the noise become even.
-  let noise = 4.0 * wide * fine;
-  let clumped = noise * noise / mix(1.78, 1.0, saturate(0.25 * in.noise_lod));
-  return 1.0 - exp(-in.light.w * inside * inside * clumped);
 }
 
 @fragment
 fn fragment(in: SprayFragment) -> @location(0) vec4f {
   let inside = saturate(1.0 - dot(in.at, in.at));
+  // The product of two independent noises has the mean of both, at every mip level.
+  let wide_at = in.noise.xy + in.at * in.noise.zw;
+  let wide = textureSampleLevel(noise_map, noise_sampler, wide_at, in.noise_lod).b;
+  let fine = textureSampleLevel(noise_map, noise_sampler, wide_at.yx * 2.7, in.noise_lod + 1.4).g;
   let scene_m = frame.clip_from_relative[3].z / max(textureLoad(depth_map, vec2i(in.clip.xy), 0), 1e-9);
   let free = saturate((scene_m - in.depth.x) / in.depth.y);
-  var opacity = 0.0;
-  if in.light.w > 0.0 {
-    opacity = spray_mist(in, inside);
-  } else {
-    opacity = 1.0 - (1.0 - spray_sheets(in, inside)) * (1.0 - spray_drops(in));
-  }
-  return vec4f(in.light.rgb * (opacity * free), opacity * free);
+  // The square of the noise has more contrast than the noise. It is divided by its mean, which falls to 1 as pixels grow
+  // and the mip levels of the noise become even.
+  let noise = 4.0 * wide * fine;
+  let clumped = noise * noise / mix(1.78, 1.0, saturate(0.25 * in.noise_lod));
+  let opacity = 1.0 - exp(-in.light.w * inside * inside * clumped * free);
+  return vec4f(min(in.light.rgb, vec3f(6e4)) * opacity, opacity);
 }

@@ -22,9 +22,9 @@ fn floor_hit(dir: vec3f, depth_m: f32) -> FloorHit {
   return FloorHit(way_m / down, run * way_m, column_m, banks);
 }
 
-// Radiance of the bed where a ray meets it. `blur` is a factor on the size of the pixel there.
-fn floor_radiance(hit: FloorHit, dir: vec3f, blur: f32) -> vec3f {
-  let across = blur * frame.pixel_angle * hit.length_m;
+// Radiance of the bed where a ray meets it.
+fn floor_radiance(hit: FloorHit, dir: vec3f) -> vec3f {
+  let across = frame.pixel_angle * hit.length_m;
   let along = across / max(-dir.y, 0.05);
   let ahead = dir.xz * inverseSqrt(max(dot(dir.xz, dir.xz), 1e-6));
   let part = 0.71 * along;

@@ -36,6 +36,8 @@ const FOAM_BODY_HEIGHT_M = vec2f(0.03, 0.12);
 // Least distances, m, over which their slopes are measured, and that to billows that may cast a shadow.
 const FOAM_RELIEF_STEP_M = vec3f(0.4, 0.08, 0.01);
 const FOAM_SHADOW_STEP_M = 1.5;
+// Part of the sunlight that a billow takes from the next one: foam lets light through, and scatters it about.
+const FOAM_SHADOW = 0.6;
 // Share of billows in the height of a front's grain, relative to that of lumps.
 const FOAM_BILLOW_GRAIN = 1.2;
 // Fraction of the foam that belongs to fronts, from which billows show.
@@ -153,7 +155,7 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
     let far = material_noise(FOAM_BILLOW_LAYER, place.at + FOAM_SHADOW_STEP_M * sun, lods.billow).a - 0.5;
     let ray_m = FOAM_SHADOW_STEP_M * frame.sun_direction.y * inverseSqrt(flat_square);
     let over = height_m * (far - place.heights.x) - ray_m;
-    lit = 1.0 - maths_smooth(0.5 + over * (0.5 / FOAM_LUMP_HEIGHT_M.x));
+    lit = 1.0 - FOAM_SHADOW * maths_smooth(0.5 + over * (0.5 / FOAM_LUMP_HEIGHT_M.x));
   }
   if sees_bubbles {
     let fine = material_noise(FOAM_THREAD_LAYER, place.at + steps.z * sun, lods.layers.w).a - 0.5 - place.heights.z;

@@ -122,11 +122,7 @@ fn run(cli: Cli) -> Result<i32, String> {
             let report = block_on(crate::bench::run(&gpu()?, &read_sea_params(&args)?, &options, progress))?;
             if json { pretty_json(&bench::report_json(&report)) } else { report.to_string() }
         }
-        Some(Command::Info { json }) => {
-            let adapter = block_on(device::choose_adapter())?;
-            let about = DeviceInfo::new(&adapter, &block_on(Gpu::open(&adapter))?);
-            if json { pretty_json(&info::about_json(&about)) } else { info::about_text(&about) }
-        }
+        Some(Command::Info { json }) => about(json)?,
         Some(Command::Validate { output, seeds }) => {
             let page = validate::build_validation_page(Some(&gpu()?), seeds, &validate::PAGE_PARTS)?;
             page.write(&output)?;
@@ -137,6 +133,13 @@ fn run(cli: Cli) -> Result<i32, String> {
         Some(Command::Keys { markdown: false }) => parameters::parameter_listing(),
     };
     print_to_stdout(&text).map(|()| 0)
+}
+
+/// The program's version, its GPU, and how it uses the GPU.
+fn about(json: bool) -> Result<String, String> {
+    let adapter = block_on(device::choose_adapter())?;
+    let about = DeviceInfo::new(&adapter, &block_on(Gpu::open(&adapter))?);
+    Ok(if json { pretty_json(&info::about_json(&about)) } else { info::about_text(&about) })
 }
 
 /// Draws the pictures of the gallery whose title contains `only`, or the thumbnails of the named seas to a file.

@@ -10,6 +10,8 @@ use std::path::Path;
 
 /// Width and height of a gallery picture, pixels.
 const PICTURE_SIZE: [u32; 2] = [960, 540];
+/// Number of drawn pixels along each side of a pixel of a picture, as on a screen with small pixels.
+const PIXELS_PER_PIXEL: u32 = 2;
 /// Quality of the JPEG files, 1 to 100.
 const JPEG_QUALITY: u8 = 88;
 /// Address at which `scripts/serve.sh` serves the app's web page; the gallery links each picture to it.
@@ -57,10 +59,9 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Southern Ocean storm",
-        description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough, with the \
-                      sun behind a torn deck.",
-        state: "v=2&wind=26&fetch=750&dir=270&sun=20&sunaz=250&clouds=storm&cloudcover=0.6&glints=1&gusts=1&spray=1&exposure=0.7\
-                &bloom=0.04&y=3&heading=261&pitch=3&fov=26&t=43",
+        description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough.",
+        state: "v=2&wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1&gusts=1\
+                &spray=1&bloom=0.04&y=3&heading=261&pitch=2&fov=22&t=43",
     },
     GalleryPicture {
         title: "Spindrift",
@@ -89,10 +90,9 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "At the waterline",
-        description: "Half of the lens is under water, over three metres of sand with patches of seagrass; water \
-                      climbs the glass.",
-        state: "v=2&wind=3&fetch=10&depth=3&sun=50&sunaz=230&clouds=cumulus&glints=1&gusts=1&bedcover=0.5&bloom=0.04\
-                &dive=0.03&heading=20&fov=62&t=4.3&afloat=yacht*13*-22",
+        description: "Half of the lens is under water, over three metres of sand with patches of seagrass.",
+        state: "v=2&wind=3&fetch=10&depth=3&sun=50&sunaz=80&clouds=cumulus&glints=1&gusts=1&bedcover=0.35&bloom=0.04\
+                &dive=0.03&heading=20&fov=75&t=4.3",
     },
     GalleryPicture {
         title: "Rain",
@@ -151,12 +151,24 @@ pub async fn run(gpu: &Gpu, output: &Path, only: &str) -> Result<String, String>
     let folder = output.join("gallery");
     create_folder(&folder)?;
     for picture in &chosen {
-        let pixels = still::draw_picture(gpu, &query::parse(picture.state).0, PICTURE_SIZE).await?;
-        write_jpeg(&pixels, &folder.join(picture.file_name()))?;
+        let drawn_size = PICTURE_SIZE.map(|side| side * PIXELS_PER_PIXEL);
+        let pixels = still::draw_picture(gpu, &query::parse(picture.state).0, drawn_size).await?;
+        write_jpeg(&reduced(&pixels), &folder.join(picture.file_name()))?;
     }
     let path = output.join("gallery.md");
     write_file(&path, gallery_markdown())?;
     Ok(format!("{} and {} of {} pictures", path.display(), chosen.len(), GALLERY_PICTURES.len()))
+}
+
+/// Means over the squares of drawn pixels, in linear light: the picture that the eye sees from a distance.
+fn reduced(drawn: &[u8]) -> Vec<u8> {
+    let (scale, [width, height]) = (PIXELS_PER_PIXEL as usize, PICTURE_SIZE.map(|side| side as usize));
+    let mean = |x: usize, y: usize, channel: usize| {
+        let places = (0..scale * scale).map(|i| (y * scale + i / scale) * width * scale + x * scale + i % scale);
+        let squares = places.map(|place| f64::from(drawn[4 * place + channel]).powf(2.2)).sum::<f64>();
+        (squares / (scale * scale) as f64).powf(1.0 / 2.2).round() as u8
+    };
+    (0..width * height * 4).map(|i| mean(i / 4 % width, i / 4 / width, i % 4)).collect()
 }
 
 fn write_jpeg(pixels: &[u8], path: &Path) -> Result<(), String> {
@@ -174,7 +186,8 @@ pub fn gallery_markdown() -> String {
     page.heading(1, "Gallery");
     page.paragraph(
         "Each picture shows one state string. The link opens it on the page while scripts/serve.sh runs; every command \
-         takes the string in quotes. `seastate gallery` renders all pictures.",
+         takes the string in quotes. `seastate gallery` renders all pictures, at 1920 x 1080 \
+         pixels, which are halved as a screen with small pixels shows them.",
     );
     for picture in GALLERY_PICTURES {
         page.heading(2, picture.title);

@@ -64,6 +64,7 @@ pub(super) struct Axis {
 impl Axis {
     /// The axis of evenly spaced coordinates, and whether they descend. Coordinates that were rounded by up to a fifth of
     /// a step count as even. Longitudes may pass from 180 to -180 degrees or from 360 to 0.
+    #[cfg(feature = "files")]
     pub(super) fn of_coordinates(values: &[f64], name: &str) -> Result<(Self, bool), String> {
         let [first, second, ..] = *values else { return Err(format!("{name} has fewer than two values")) };
         // Coordinates that rise or fall throughout need no unwrapping: metres may pass 180, too.
@@ -131,6 +132,7 @@ impl RawGrid {
     }
 
     /// Turns the order of the columns, for files that begin in the east.
+    #[cfg(feature = "files")]
     pub(super) fn turn_left_to_right(&mut self) {
         self.values.chunks_mut(self.x.count).for_each(<[f32]>::reverse);
     }
