@@ -24,6 +24,7 @@ pub mod placed;
 pub mod runup;
 pub mod sea_maps;
 pub mod structure;
+pub mod transfer;
 
 pub use bathymetry::Bathymetry;
 pub use breaking::Losses;
@@ -35,3 +36,4 @@ pub use options::Options;
 pub use placed::PlacedCoast;
 pub use sea_maps::SeaMaps;
 pub use structure::Structure;
+pub use transfer::Transfer;

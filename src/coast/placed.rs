@@ -6,6 +6,7 @@ use super::built_in::BuiltInCoast;
 use super::incident::Placement;
 use super::structure::Structure;
 use crate::files::bathymetry::{BathymetryFile, ElevationGrid};
+use crate::state::coast::{Coast, CoastName};
 
 /// Cells along the longer side, unless the user asks for another size of the cells.
 const DEFAULT_CELLS: f64 = 200.0;
@@ -44,6 +45,8 @@ pub struct PlacedCoast {
     pub structures: Vec<Structure>,
     /// Bearing of the x axis, which points from the sea to the land, degrees clockwise from north.
     pub toward_deg: f64,
+    /// World position (x, z) of its middle, m.
+    pub middle_m: [f64; 2],
     /// What was assumed, one sentence each.
     pub notices: Vec<String>,
 }
@@ -65,8 +68,29 @@ impl PlacedCoast {
             bathymetry: coast.bathymetry(cell_m),
             structures: (coast.structures)(),
             toward_deg: options.toward_deg.unwrap_or(coast.toward_deg).rem_euclid(360.0),
+            middle_m: [0.0; 2],
             notices: Vec::new(),
         })
+    }
+
+    /// The coast of a state; `None` for the open sea. `file` is the bathymetry that the user has opened.
+    ///
+    /// # Errors
+    /// One sentence, if the state asks for a file that is not open, or the file does not fit.
+    pub fn of_state(coast: &Coast, file: Option<&BathymetryFile>) -> Result<Option<Self>, String> {
+        let placed = match (coast.name, file) {
+            (CoastName::None, _) => return Ok(None),
+            (CoastName::File, None) => {
+                return Err("the coast is a file, which a link cannot carry: open the bathymetry again".into());
+            }
+            (CoastName::File, Some(file)) => Self::from_file(file, &PlacingOptions::default())?,
+            (name, _) => {
+                let built_in = BuiltInCoast::find(name.word()).ok_or_else(|| format!("no coast {}", name.word()))?;
+                Self::built_in(built_in, &PlacingOptions::default())?
+            }
+        };
+        let toward_deg = (placed.toward_deg + coast.turn_deg).rem_euclid(360.0);
+        Ok(Some(Self { toward_deg, middle_m: [coast.x_m, coast.z_m], ..placed }))
     }
 
     /// Cuts a coast out of a file.
@@ -133,6 +157,7 @@ impl PlacedCoast {
             bathymetry,
             structures: Vec::new(),
             toward_deg: toward_deg.rem_euclid(360.0),
+            middle_m: [0.0; 2],
             notices,
         })
     }
@@ -142,12 +167,13 @@ impl PlacedCoast {
         (self.toward_deg - 90.0).to_radians()
     }
 
-    /// Place in the world with the middle of the coast at its origin.
+    /// Place of its frame in the world.
     pub fn placement(&self) -> Placement {
         let turn_rad = self.turn_rad();
         let (sin, cos) = turn_rad.sin_cos();
         let [x, y] = self.side_m().map(|side_m| 0.5 * side_m);
-        Placement { origin_m: [-(x * cos - y * sin), -(x * sin + y * cos)], turn_rad }
+        let [east, south] = self.middle_m;
+        Placement { origin_m: [east - (x * cos - y * sin), south - (x * sin + y * cos)], turn_rad }
     }
 
     /// Lengths of the grid along x and along y, m.

@@ -105,7 +105,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         description: "Four metres of water over sand, seagrass and reefs, with caustics, and a yacht that crosses \
                       them.",
         state: "v=2&spectrum=tma&wind=4&fetch=8&depth=4&sun=52&sunaz=70&clouds=cumulus&cloudcover=0.2&glints=1\
-                &gusts=1&bedcover=0.35&caustics=1&bloom=0.04&y=7&heading=220&pitch=-8&fov=52&t=40&afloat=yacht*-14*24",
+                &gusts=1&bedcover=0.35&caustics=1&bloom=0.04&heading=220&pitch=-8&fov=52&t=40&afloat=yacht*-14*24",
     },
     GalleryPicture {
         title: "Dusk",

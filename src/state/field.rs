@@ -122,6 +122,8 @@ choice_enum! {
         Water = "Water",
         /// Parameters of whitecaps: when foam forms, how it decays and what it looks like.
         Foam = "Foam",
+        /// Parameters of the coast: which one, and where it lies.
+        Coast = "Coast",
         /// Parameters of sun, sky, haze and fog.
         Sky = "Sun and sky",
         /// Parameters of the colour, reflectance and roughness of the water, and of the sea bed.

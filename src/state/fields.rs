@@ -1,5 +1,6 @@
 //! List of all parameters, the source of the state string, the panel, the command-line help and property tests.
 
+use super::coast::Coast;
 use super::field::{FieldDescription, number};
 use super::look::{BedLook, FilmLook, FoamLook, Look, Reflection, Scattering, SkyLook};
 use super::params::{Camera, CascadeSettings, Clock, FoamSettings, Grid, Params, Screen, Sea, WaveSystemParams};
@@ -26,6 +27,7 @@ pub static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
         with_numbered_keys(4, part!(WaveSystemParams, FourthSystem, sea.systems[3])),
         part!(Sea, Water, sea),
         part!(FoamSettings, Foam, sea.foam),
+        part!(Coast, Coast, coast),
         part!(SkyLook, Sky, look.sky),
         part!(Scattering, Surface, look.surface.scattering),
         part!(Reflection, Surface, look.surface.reflection),

@@ -1,6 +1,7 @@
 //! State of the simulator that the user sets, as plain data: parameters, their state string, presets, camera and views.
 
 pub mod camera;
+pub mod coast;
 mod field;
 pub mod fields;
 pub mod floats;

@@ -4,6 +4,7 @@
 //! A change of `grid` reallocates GPU resources, of `sea` reruns the spectrum pass, of the rest mostly changes uniform
 //! buffers. There are no dirty flags: the owner of a resource compares with the parameters it was made from.
 
+use super::coast::Coast;
 use super::field::FieldKind::{Choice, Flag, Heading};
 use super::field::{choice_enum, integer, logarithmic, number, parameters};
 use super::floats::FloatingObject;
@@ -27,6 +28,8 @@ pub struct Params {
     pub camera: Camera,
     /// Simulated time and its speed.
     pub clock: Clock,
+    /// The coast that the sea runs up to, if any.
+    pub coast: Coast,
     /// Floating objects: moored buoys, boats and yachts.
     pub floating_objects: Vec<FloatingObject>,
     /// Display settings, such as the resolution scale and the open panel. They do not change the sea.

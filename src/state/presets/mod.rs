@@ -60,6 +60,7 @@ fn apply_rule(group: Group) -> ApplyRule {
         | Group::FourthSystem
         | Group::Water
         | Group::Foam
+        | Group::Coast
         | Group::Sky
         | Group::Surface
         | Group::Film => ApplyRule::SeaAndLight,

@@ -1,0 +1,50 @@
+//! The coast that the sea runs up to: which one, and where it lies.
+
+use super::field::FieldKind::Choice;
+use super::field::{choice_enum, number, parameters};
+
+choice_enum! {
+    /// A coast: none, one that comes with the program, or one from a file with heights or depths.
+    pub enum CoastName {
+        /// The open sea.
+        None = "none",
+        /// A straight sandy beach before dunes.
+        Beach = "beach",
+        /// A rocky headland beside a bay.
+        Headland = "headland",
+        /// An island before a beach.
+        Island = "island",
+        /// Two breakwaters around a basin with a quay.
+        Harbour = "harbour",
+        /// A sand bar along a beach, cut by a channel.
+        Bar = "bar",
+        /// An underwater hill that focuses waves.
+        Shoal = "shoal",
+        /// The bathymetry that the user has opened. A link cannot carry it; without the file the sea is open.
+        File = "file",
+    }
+}
+
+parameters! {
+    /// The coast and its place. The middle of the coast's square lies at the world origin, unless it is moved.
+    pub struct Coast {
+        /// Coast that the waves run up to: they turn, grow, break and bend around obstacles over its depths. beach:
+        /// straight and sandy; headland: rocks beside a bay; island: calm water behind it; harbour: breakwaters around
+        /// a basin; bar: a sand bar with a channel; shoal: a hill under water that focuses waves; file: a bathymetry
+        /// that was opened.
+        name: CoastName = CoastName::None => ("coast", "Coast", "", Choice(CoastName::WORDS)),
+        /// Distance by which the middle of the coast lies east of the world origin.
+        x_m: f64 = 0.0 => ("coastx", "Coast east", "m", number(-1e5, 1e5)),
+        /// Distance by which the middle of the coast lies south of the world origin.
+        z_m: f64 = 0.0 => ("coastz", "Coast south", "m", number(-1e5, 1e5)),
+        /// Angle by which the coast is turned clockwise from its own direction.
+        turn_deg: f64 = 0.0 => ("coastturn", "Coast turn", "deg", number(-180.0, 180.0)),
+    }
+}
+
+impl Coast {
+    /// Whether there is land: false in the open sea.
+    pub fn is_on(&self) -> bool {
+        self.name != CoastName::None
+    }
+}
