@@ -18,6 +18,7 @@ fn over_a_flat_bed_the_sea_stays_what_it_is() {
         bathymetry: Bathymetry::from_fn(41, 41, 20.0, |_, _| 60.0),
         structures: Vec::new(),
         toward_deg: 60.0,
+        middle_m: [0.0; 2],
         notices: Vec::new(),
     };
     let settings = CoastSettings { gauges_m: vec![[400.0, 400.0], [600.0, 380.0]], ..CoastSettings::default() };
@@ -120,8 +121,15 @@ fn structures_reflect() {
         };
         wall.build_in(&mut bathymetry);
         let (title, about) = ("wall".to_owned(), "A wall.".to_owned());
-        let coast =
-            PlacedCoast { title, about, bathymetry, structures: vec![wall], toward_deg: 60.0, notices: Vec::new() };
+        let coast = PlacedCoast {
+            title,
+            about,
+            bathymetry,
+            structures: vec![wall],
+            toward_deg: 60.0,
+            middle_m: [0.0; 2],
+            notices: Vec::new(),
+        };
         let settings = CoastSettings { gauges_m: vec![[420.0, 240.0]], ..CoastSettings::default() };
         let sea =
             run(&query::parse("hs=1&tp=9&dir=240&spread=donelan-banner&n=64").0, coast, &settings).expect("a sea");
