@@ -198,7 +198,12 @@ fn places(state: &str, tab: &str, labels: &[&str]) -> Vec<[f32; 2]> {
         .with_size(egui::vec2(SIZE[0], SIZE[1]))
         .with_pixels_per_point(1.0)
         .wgpu_setup(seastate::app::setup::wgpu_configuration().wgpu_setup)
-        .build_eframe(move |cc| App::new(cc, &state).expect("a device"));
+        .build_eframe(move |cc| {
+            let mut app = App::new(cc, &state).expect("a device");
+            // As in the window, where the tab of the view has a row for it.
+            app.allow_slow_camera();
+            app
+        });
     harness.run_steps(4);
     if tab != "Weather" {
         harness.get_by_label(tab).click();

@@ -123,7 +123,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "From the air",
         description: "A strong breeze from 55 m: whitecaps with their fading trails, a yacht with its wake, and \
                       cumulus to the horizon.",
-        state: "v=2&wind=11&fetch=200&sun=30&sunaz=60&clouds=cumulus&glints=1&gusts=1&bloom=0.04&y=55\
+        state: "v=2&wind=11&fetch=135&sun=30&sunaz=60&clouds=cumulus&glints=1&gusts=1&bloom=0.04&y=55\
                 &heading=0&pitch=-9&t=40&afloat=yacht*22*-120",
     },
 ];
