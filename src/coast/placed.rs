@@ -6,7 +6,7 @@ use super::built_in::BuiltInCoast;
 use super::incident::Placement;
 use super::structure::Structure;
 use crate::files::bathymetry::{BathymetryFile, ElevationGrid};
-use crate::state::coast::{Coast, CoastName};
+use crate::state::coast::{Coast, CoastName, MISSING_FILE_NOTICE};
 
 /// Cells along the longer side, unless the user asks for another size of the cells.
 const DEFAULT_CELLS: f64 = 200.0;
@@ -73,16 +73,15 @@ impl PlacedCoast {
         })
     }
 
-    /// The coast of a state; `None` for the open sea. `file` is the bathymetry that the user has opened.
+    /// The coast of a state; `None` for the open sea. `file` is the bathymetry that the user has opened, if the state does
+    /// not hold it itself.
     ///
     /// # Errors
     /// One sentence, if the state asks for a file that is not open, or the file does not fit.
     pub fn of_state(coast: &Coast, file: Option<&BathymetryFile>) -> Result<Option<Self>, String> {
-        let placed = match (coast.name, file) {
+        let placed = match (coast.name, coast.file.as_ref().map(|file| &*file.0).or(file)) {
             (CoastName::None, _) => return Ok(None),
-            (CoastName::File, None) => {
-                return Err("the coast is a file, which a link cannot carry: open the bathymetry again".into());
-            }
+            (CoastName::File, None) => return Err(MISSING_FILE_NOTICE.into()),
             (CoastName::File, Some(file)) => Self::from_file(file, &PlacingOptions::default())?,
             (name, _) => {
                 let built_in = BuiltInCoast::find(name.word()).ok_or_else(|| format!("no coast {}", name.word()))?;

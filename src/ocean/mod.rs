@@ -1,5 +1,6 @@
 //! The façade of the crate: [`Ocean`], a simulated sea with its picture, which window, page and command line use.
 
+pub mod coast_task;
 pub mod device_info;
 mod interpolated;
 pub mod maps;
