@@ -9,6 +9,7 @@ use crate::state::Params;
 use crate::state::coast::Coast;
 use crate::waves::{Plan, SeaChange};
 use std::sync::Arc;
+#[cfg(not(target_arch = "wasm32"))]
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use web_time::{Duration, Instant};
 
@@ -20,6 +21,9 @@ const MAX_KEPT_BYTES: usize = 128 << 20;
 /// Length of a slice of the work in a thread. Between two slices it looks whether it is still wanted.
 #[cfg(not(target_arch = "wasm32"))]
 const THREAD_SLICE: Duration = Duration::from_millis(20);
+
+/// What a frame shows of a coast: its land, and its waves once they are solved.
+pub type ShownCoast = (Option<Arc<PlacedCoast>>, Option<Arc<Transfer>>);
 
 /// Solves the transfer functions of a coast in slices.
 pub trait StepwiseSolver: Send + Sized + 'static {
@@ -95,7 +99,14 @@ struct Work<S> {
 }
 
 enum Job<S> {
-    Here(Option<S>, f32),
+    Here {
+        /// `None` once it has finished.
+        solver: Option<S>,
+        /// Fraction that is done.
+        done: f32,
+        /// Time for which each call works on it.
+        slice: Duration,
+    },
     #[cfg(not(target_arch = "wasm32"))]
     Thread(ThreadJob),
 }
@@ -174,7 +185,7 @@ impl<S: StepwiseSolver> CoastTask<S> {
     /// Fraction of the solution that is done; `None` if nothing is being solved.
     pub fn progress(&self) -> Option<f32> {
         Some(match &self.work.as_ref()?.job {
-            Job::Here(_, done) => *done,
+            Job::Here { done, .. } => *done,
             #[cfg(not(target_arch = "wasm32"))]
             Job::Thread(job) => f32::from_bits(job.shared.done.load(Ordering::Relaxed)),
         })
@@ -209,7 +220,7 @@ impl<S: StepwiseSolver> CoastTask<S> {
         let Some(land) = self.land().cloned() else { return };
         let plan = Plan::new(params);
         let job = match self.worker {
-            Worker::EachCall(_) => Job::Here(Some(S::begin(&plan, &land)), 0.0),
+            Worker::EachCall(slice) => Job::Here { solver: Some(S::begin(&plan, &land)), done: 0.0, slice },
             #[cfg(not(target_arch = "wasm32"))]
             Worker::Thread => {
                 let shared = Arc::new(SharedProgress::default());
@@ -235,9 +246,8 @@ impl<S: StepwiseSolver> CoastTask<S> {
     fn work_on(&mut self) {
         let Some(work) = &mut self.work else { return };
         let solved = match &mut work.job {
-            Job::Here(solver, done) => {
-                let Worker::EachCall(slice) = self.worker else { return };
-                *done = solver.as_mut().map_or(1.0, |solver| solver.advance(slice));
+            Job::Here { solver, done, slice } => {
+                *done = solver.as_mut().map_or(1.0, |solver| solver.advance(*slice));
                 (*done >= 1.0).then(|| solver.take().map(S::finish))
             }
             #[cfg(not(target_arch = "wasm32"))]

@@ -7,6 +7,8 @@ pub mod maps;
 #[cfg(feature = "files")]
 pub mod maps_file;
 pub mod passes;
+mod reference_samples;
+mod shown_coast;
 pub mod still;
 
 use crate::gpu::Gpu;
@@ -21,6 +23,7 @@ use crate::state::camera::{View, deepest_dive_m};
 use crate::state::params::{Camera, CameraMode};
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::{Plan, SeaChange};
+use coast_task::{CoastKey, ShownCoast};
 use interpolated::WeightedPlans;
 use std::sync::Arc;
 
@@ -69,6 +72,8 @@ pub struct Ocean {
     output: OutputKind,
     appearance: Interpolated<SeaAppearance>,
     plans: Interpolated<WeightedPlans>,
+    /// The coast that [`Self::solve_coast`] solved last.
+    coast_solved: Option<(CoastKey, ShownCoast)>,
     /// For each plan whose waves are drawn: the plan, and those of its waves that move the floating objects.
     hull_waves: Vec<(Arc<Plan>, HullWaves)>,
     timer: Timer,
@@ -116,6 +121,7 @@ impl Ocean {
             output: OutputKind::Screen,
             appearance,
             plans,
+            coast_solved: None,
             hull_waves: Vec::new(),
             timer,
         }
@@ -313,25 +319,6 @@ impl Ocean {
     /// Number of vertices of the water mesh in the last frame; 0 before the first frame.
     pub fn vertex_count(&self) -> u32 {
         self.renderer.as_ref().map_or(0, Renderer::vertex_count)
-    }
-
-    /// Records the drawing of unfiltered samples, one per cell of `grid`, for a reference picture (mean of many samples
-    /// per pixel) of the last frame. Returns a texture with one sample per texel, as [`ReferenceRenderer::draw`] does.
-    pub fn record_frame_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &SampleGrid) -> wgpu::Texture {
-        let scene = self.scene(grid.size);
-        let reference = self.reference.get_or_insert_with(|| ReferenceRenderer::new(&self.gpu, self.format));
-        reference.draw(&self.gpu, encoder, self.sim.maps(), &scene, grid)
-    }
-
-    /// Draws a picture of `size` (width, height) pixels given as linear light (RGB, row by row from the top), such as
-    /// the mean of several [`Self::record_frame_samples`], with the exposure and tone curve of the parameters. Draws
-    /// nothing before the first call of [`Self::record_frame_samples`].
-    pub fn present_linear_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
-        let scene = self.scene(size);
-        if let Some(reference) = &mut self.reference {
-            reference.set_linear_light(&self.gpu, &scene, size, light);
-            reference.present(pass);
-        }
     }
 
     /// All that determines a picture of `width` x `height` pixels with the present parameters, besides the maps:
