@@ -83,7 +83,8 @@ fn a_coast_of_the_panel_is_chosen_solved_and_undone() {
     assert!(harness.query_by_label_contains("Waves find their way ashore").is_none());
     // A sea that jumps where the coast begins is told, and mended by one click.
     assert!(harness.query_by_label_contains("the waves jump").is_none());
-    harness.state_mut().set_state(&harness.state().state().replace("depth=11.4", "depth=40"));
+    let deep = harness.state().state().replace("depth=11.4", "depth=40");
+    harness.state_mut().set_state(&deep);
     harness.run_steps(3);
     harness.get_by_label_contains("the waves jump");
     harness.get_by_label("Make the sea 11.4 m deep").click();

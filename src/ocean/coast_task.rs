@@ -4,6 +4,7 @@
 #[cfg(test)]
 mod tests;
 
+use crate::coast::transfer::{TransferLimits, TransferSolver};
 use crate::coast::{PlacedCoast, Transfer};
 use crate::state::Params;
 use crate::state::coast::Coast;
@@ -46,6 +47,20 @@ pub trait StepwiseSolver: Send + Sized + 'static {
                 return done;
             }
         }
+    }
+}
+
+impl StepwiseSolver for TransferSolver {
+    fn begin(plan: &Plan, coast: &PlacedCoast) -> Self {
+        Self::new(plan, coast, &TransferLimits::default())
+    }
+
+    fn step(&mut self) -> f32 {
+        Self::step(self) as f32
+    }
+
+    fn finish(self) -> Transfer {
+        Self::finish(self)
     }
 }
 
