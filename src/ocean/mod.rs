@@ -14,7 +14,7 @@ use crate::point::floating::{HullPose, HullWaves, hull_pose};
 use crate::render::{FadingSea, ReferenceRenderer, Renderer, Scene, SeaAppearance};
 use crate::shaders::Shaders;
 use crate::sim::transition::{Interpolated, TransitionFrameProgress, TransitionKind};
-use crate::sim::{MAX_FOAM_STEPS, MapCascade, Simulation};
+use crate::sim::{CascadeRole, MAX_FOAM_STEPS, MapCascade, Simulation};
 use crate::state::Params;
 use crate::state::camera::{View, deepest_dive_m};
 use crate::state::params::{Camera, CameraMode};
@@ -221,8 +221,10 @@ impl Ocean {
         let (fading, own) = maps.cascades.split_at(maps.fading_cascade_count);
         let (old, now) = self.plans.fading_and_current();
         let of = |plans: &WeightedPlans, cascades: &[MapCascade]| -> Vec<DrawnSea> {
-            let weights =
-                |share: f64| cascades.iter().map(|c| share * f64::from(c.cross_fade_amplitude_factor)).collect();
+            let weights = |share: f64| {
+                let ordinary = cascades.iter().filter(|c| c.role == CascadeRole::Ordinary);
+                ordinary.map(|c| share * f64::from(c.cross_fade_amplitude_factor)).collect()
+            };
             plans
                 .0
                 .iter()

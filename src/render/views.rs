@@ -11,7 +11,7 @@ use crate::gpu::layout::gpu_struct;
 use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
-use crate::sim::Maps;
+use crate::sim::{MapCascade, Maps};
 use crate::sim::maps::MAX_CASCADES;
 use crate::state::views::{DisplayedView, MapView};
 use crate::waves::colour_scale::STOPS;
@@ -74,7 +74,8 @@ impl ViewUniform {
         };
         let foam = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
         // During a cross-fade only the new sea is shown.
-        let most = if foam { maps.foam_levels.len() } else { maps.current_cascades().len() };
+        let cascades: Vec<&MapCascade> = maps.current_ordinary_cascades().collect();
+        let most = if foam { maps.foam_levels.len() } else { cascades.len() };
         let cascade_layers = view.shown_layers(most);
         let (corners, side) = largest_squares(cascade_layers.len() as u32, size);
         let mut tiles = [ViewTile::default(); MAX_CASCADES];
@@ -83,7 +84,7 @@ impl ViewUniform {
             // The moments map stores slope moments in the unit `moment_unit`.
             let unit = match view.displayed {
                 DisplayedView::Map(MapView::MomentXx | MapView::MomentZz | MapView::MomentXz) => {
-                    maps.current_cascades()[layer].moment_unit
+                    cascades[layer].moment_unit
                 }
                 _ => 1.0,
             };
@@ -100,9 +101,9 @@ impl ViewUniform {
             // A spectrum is chosen by cascade, a surface view by drawn cascade, any other map by texture layer.
             let source = match view.displayed {
                 DisplayedView::Map(MapView::InitialSpectrum | MapView::Spectrum) => layer,
-                DisplayedView::Surface(_) => maps.fading_cascade_count + layer,
+                DisplayedView::Surface(_) => maps.cascades.len() - cascades.len() + layer,
                 _ if foam => layer,
-                _ => maps.current_cascades()[layer].layer as usize,
+                _ => cascades[layer].layer as usize,
             };
             *tile = ViewTile {
                 corner: corner.map(|x| x as f32),
