@@ -1,5 +1,6 @@
 //! The façade of the crate: [`Ocean`], a simulated sea with its picture, which window, page and command line use.
 
+mod coast;
 pub mod device_info;
 mod interpolated;
 pub mod maps;
@@ -14,7 +15,7 @@ use crate::point::floating::{HullPose, HullWaves, hull_pose};
 use crate::render::{FadingSea, ReferenceRenderer, Renderer, Scene, SeaAppearance};
 use crate::shaders::Shaders;
 use crate::sim::transition::{Interpolated, TransitionFrameProgress, TransitionKind};
-use crate::sim::{CascadeRole, MAX_FOAM_STEPS, MapCascade, Simulation};
+use crate::sim::{MAX_FOAM_STEPS, MapCascade, Simulation};
 use crate::state::Params;
 use crate::state::camera::{View, deepest_dive_m};
 use crate::state::params::{Camera, CameraMode};
@@ -220,11 +221,9 @@ impl Ocean {
         let maps = self.sim.maps();
         let (fading, own) = maps.cascades.split_at(maps.fading_cascade_count);
         let (old, now) = self.plans.fading_and_current();
-        let of = |plans: &WeightedPlans, cascades: &[MapCascade]| -> Vec<DrawnSea> {
-            let weights = |share: f64| {
-                let ordinary = cascades.iter().filter(|c| c.role == CascadeRole::Ordinary);
-                ordinary.map(|c| share * f64::from(c.cross_fade_amplitude_factor)).collect()
-            };
+        let of = |plans: &WeightedPlans, cascades| -> Vec<DrawnSea> {
+            let factors = || MapCascade::ordinary(cascades).map(|c| f64::from(c.cross_fade_amplitude_factor));
+            let weights = |share: f64| factors().map(|factor| share * factor).collect();
             plans
                 .0
                 .iter()
@@ -358,6 +357,7 @@ impl Ocean {
                 variance_fraction: 1.0 - share,
             }),
             mean_foam: self.sim.mean_foam(),
+            has_coast: self.sim.maps().coast.is_some(),
             may_keep_pipelines: self.may_keep_pipelines,
             is_lean: self.is_lean,
             t_s: self.params.clock.t_s,

@@ -4,6 +4,7 @@
 use super::scene::Scene;
 use super::targets::Targets;
 use super::targets::{DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, attachments};
+use super::variants::switch_constant;
 use super::water::light::WaterPass;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, RenderProgram};
@@ -151,11 +152,14 @@ pub struct FalseColourPass {
     map_pipeline: wgpu::RenderPipeline,
     surface_pipeline: wgpu::RenderPipeline,
     surface_group: wgpu::BindGroup,
+    /// Whether the surface runs up to a coast.
+    pub has_coast: bool,
 }
 
 impl FalseColourPass {
-    /// Compiles the passes of false-colour views. Views of the water surface draw the mesh of `water`.
-    pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass) -> Self {
+    /// Compiles the passes of false-colour views. Views of the water surface draw the mesh of `water`, of a sea that runs
+    /// up to a coast if `has_coast`.
+    pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, has_coast: bool) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let uniform = Uniform::<ViewUniform>::new(gpu, "view");
         let slot = BindingType::Uniform(size_of::<ViewUniform>());
@@ -182,13 +186,14 @@ impl FalseColourPass {
         let module = shaders.module(gpu, "views/surface");
         let [scene, maps, mesh] = water.mesh_layouts();
         let layouts = [scene, maps, mesh, &surface_layout];
+        let constants = [switch_constant("WATER_COAST", has_coast)];
         let surface_pipeline = gpu.render_pipeline(
             "view/surface",
-            &RenderProgram::new(&module),
+            &RenderProgram { constants: &constants, ..RenderProgram::new(&module) },
             &layouts,
             &attachments(&output.format(), DEPTH_TEST_OPAQUE),
         );
-        Self { uniform, map_layout, map_pipeline, surface_pipeline, surface_group }
+        Self { uniform, map_layout, map_pipeline, surface_pipeline, surface_group, has_coast }
     }
 
     /// Records the pass that draws the false-colour view selected in the scene's look into the HDR target.

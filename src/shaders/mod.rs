@@ -74,6 +74,7 @@ const SURFACE: SourcePart = SourcePart::Group(&[
     TILES,
     part!("water/mesh.wgsl"),
     part!("water/spline.wgsl"),
+    part!("water/coast.wgsl"),
     part!("water/surface.wgsl"),
     part!("water/breaker.wgsl"),
 ]);

@@ -186,13 +186,22 @@ impl Maps {
     }
 
     /// Bound waves of the second order of each entry of `cascades`. Offshore waves are part of the first cascade, whose
-    /// entry counts for both. Waves at the coast have none.
+    /// entry counts for the products of both; most of its waves are offshore waves, so that they get its level. Waves at the
+    /// coast have none.
     pub fn bound_waves_of_cascades(&self) -> impl Iterator<Item = CascadeBoundWaves> + '_ {
         let of_sea = |sea: usize, cascades: &[MapCascade]| -> Vec<CascadeBoundWaves> {
             let mut ordinary = self.bound_waves[sea].cascades.iter();
+            let mut level_m = None;
             let mut of = |cascade: &MapCascade| match cascade.role {
-                CascadeRole::Ordinary => ordinary.next().copied().unwrap_or_default(),
-                CascadeRole::Offshore | CascadeRole::Coast => CascadeBoundWaves::default(),
+                CascadeRole::Ordinary => {
+                    let own = ordinary.next().copied().unwrap_or_default();
+                    CascadeBoundWaves { level_m: level_m.take().map_or(own.level_m, |_| 0.0), ..own }
+                }
+                CascadeRole::Offshore => {
+                    level_m = ordinary.clone().next().map(|own| own.level_m);
+                    CascadeBoundWaves { level_m: level_m.unwrap_or_default(), ..CascadeBoundWaves::default() }
+                }
+                CascadeRole::Coast => CascadeBoundWaves::default(),
             };
             cascades.iter().map(&mut of).collect()
         };
@@ -202,7 +211,7 @@ impl Maps {
 
     /// The ordinary cascades of the current sea, in the order of its plan.
     pub fn current_ordinary_cascades(&self) -> impl Iterator<Item = &MapCascade> {
-        self.current_cascades().iter().filter(|cascade| cascade.role == CascadeRole::Ordinary)
+        MapCascade::ordinary(self.current_cascades())
     }
 
     /// Updates the drawn cascades when a transition to `plan`, with equal FFT size, starts. A cross-fade adds those of
@@ -277,6 +286,11 @@ impl Maps {
 }
 
 impl MapCascade {
+    /// Those of the given cascades that are cascades of a plan, not layers that a coast adds.
+    pub fn ordinary(cascades: &[Self]) -> impl Iterator<Item = &Self> {
+        cascades.iter().filter(|cascade| cascade.role == CascadeRole::Ordinary)
+    }
+
     /// Entries of a plan's sea. A coast's layers come first in the list, but last in the textures.
     fn all_of_plan(plan: &Plan, resources: &Resources, has_coast: bool) -> Vec<Self> {
         let first = resources.first_layer();
