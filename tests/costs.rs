@@ -111,6 +111,7 @@ fn displacement(gpu: &Gpu, ocean: &Ocean) -> Executed {
         ((1, 3), TextureView(&maps.foam)),
         ((1, 4), Sampler(&samplers[0])),
         ((1, 5), Sampler(&samplers[1])),
+        ((1, 6), TextureView(&maps.no_coast)),
         ((2, 0), sums.as_entire_binding()),
     ];
     let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {

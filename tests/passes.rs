@@ -105,7 +105,12 @@ fn a_fault_in_the_waves_at_a_coast_is_found() {
         ("coast/sum", "2.0 * z.x + known.x", "2.02 * z.x + known.x", "coast displacement"),
         ("coast/sum", "let turns = beyond", "let turns = 1.01 * beyond", "coast displacement"),
         ("coast/sum", "vec2f(0.82, 0.57)", "vec2f(0.87, 0.49)", "coast rollers"),
-        ("coast/gradients", "(8.0 * near - far) / 12.0;\n}\n\nfn", "(8.08 * near - far) / 12.0;\n}\n\nfn", "coast gradients"),
+        (
+            "coast/gradients",
+            "(8.0 * near - far) / 12.0;\n}\n\nfn",
+            "(8.08 * near - far) / 12.0;\n}\n\nfn",
+            "coast gradients",
+        ),
         ("coast/gradients", "let height = coast", "let height = 1.01 * coast", "coast displacement"),
     ] {
         let shaders = Shaders::default().patched(module, from, to);

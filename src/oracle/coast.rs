@@ -49,7 +49,8 @@ impl<'a> CoastWaves<'a> {
         let [column, row] = [(gx, t.columns), (gy, t.rows)].map(|(g, count)| (g.max(0.0) as usize).min(count - 2));
         let beyond = gx - column as f64;
         let [fx, fy] = [beyond, gy - row as f64].map(|f| f.clamp(0.0, 1.0));
-        let corners = [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)];
+        let corners =
+            [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)];
         let places = corners.map(|(dx, dy, share)| ((row + dy) * t.columns + column + dx, share));
         let mut out = CoastPoint::default();
         let mut potential = [0.0; 2];
@@ -107,20 +108,16 @@ pub fn maps(points: &[CoastPoint], texel_m: f64) -> CascadeMapPair {
         &points[row * n + column]
     };
     const FIRST: [(i64, f64); 4] = [(-2, 1.0 / 12.0), (-1, -2.0 / 3.0), (1, 2.0 / 3.0), (2, -1.0 / 12.0)];
-    const SECOND: [(i64, f64); 5] =
-        [(-2, -1.0 / 12.0), (-1, 4.0 / 3.0), (0, -2.5), (1, 4.0 / 3.0), (2, -1.0 / 12.0)];
+    const SECOND: [(i64, f64); 5] = [(-2, -1.0 / 12.0), (-1, 4.0 / 3.0), (0, -2.5), (1, 4.0 / 3.0), (2, -1.0 / 12.0)];
     let elevation = |i: usize, x: i64, z: i64| at(i, x, z).elevation_m;
     let potential = |i: usize, x: i64, z: i64| at(i, x, z).potential_m2;
-    let along = |rule: &[(i64, f64)], value: &dyn Fn(i64) -> f64| rule.iter().map(|(step, w)| w * value(*step)).sum::<f64>();
+    let along =
+        |rule: &[(i64, f64)], value: &dyn Fn(i64) -> f64| rule.iter().map(|(step, w)| w * value(*step)).sum::<f64>();
     let texel = |i: usize| {
-        let [eta_x, eta_z] = [
-            along(&FIRST, &|s| elevation(i, s, 0)) / texel_m,
-            along(&FIRST, &|s| elevation(i, 0, s)) / texel_m,
-        ];
-        let [dx, dz] = [
-            along(&FIRST, &|s| potential(i, s, 0)) / texel_m,
-            along(&FIRST, &|s| potential(i, 0, s)) / texel_m,
-        ];
+        let [eta_x, eta_z] =
+            [along(&FIRST, &|s| elevation(i, s, 0)) / texel_m, along(&FIRST, &|s| elevation(i, 0, s)) / texel_m];
+        let [dx, dz] =
+            [along(&FIRST, &|s| potential(i, s, 0)) / texel_m, along(&FIRST, &|s| potential(i, 0, s)) / texel_m];
         let square = texel_m * texel_m;
         let xx = along(&SECOND, &|s| potential(i, s, 0)) / square;
         let zz = along(&SECOND, &|s| potential(i, 0, s)) / square;
@@ -138,8 +135,14 @@ mod tests {
 
     #[test]
     fn half_floats_have_their_values() {
-        let cases =
-            [(0x0000, 0.0), (0x3c00, 1.0), (0xc000, -2.0), (0x3555, 0.333_251_953_125), (0x7bff, 65504.0), (0x0001, 2f64.powi(-24))];
+        let cases = [
+            (0x0000, 0.0),
+            (0x3c00, 1.0),
+            (0xc000, -2.0),
+            (0x3555, 0.333_251_953_125),
+            (0x7bff, 65504.0),
+            (0x0001, 2f64.powi(-24)),
+        ];
         for (bits, value) in cases {
             assert_eq!(half_float(bits), value, "{bits:x}");
         }
@@ -162,7 +165,8 @@ mod tests {
     fn differences_are_of_fourth_order() {
         let points = |n: usize| -> Vec<CoastPoint> {
             let value = |i: usize| (TAU * (2 * (i % n) + i / n) as f64 / n as f64).sin();
-            let of = |i| CoastPoint { elevation_m: value(i), potential_m2: value(i), weight: 1.0, ..Default::default() };
+            let of =
+                |i| CoastPoint { elevation_m: value(i), potential_m2: value(i), weight: 1.0, ..Default::default() };
             (0..n * n).map(of).collect()
         };
         // Slope 2 along x and 1 along z, and curvatures -4, -1 and -2 times the value, in radians.

@@ -96,12 +96,7 @@ pub struct CoastalPipeline {
 
 impl CoastalPipeline {
     /// Compiles the entry point `main` of a module, for the open sea. `layouts` are those of the bind groups 0, 1, 2 ...
-    pub fn new(
-        gpu: &Gpu,
-        label: &'static str,
-        module: wgpu::ShaderModule,
-        layouts: &[&wgpu::BindGroupLayout],
-    ) -> Self {
+    pub fn new(gpu: &Gpu, label: &'static str, module: wgpu::ShaderModule, layouts: &[&wgpu::BindGroupLayout]) -> Self {
         let layouts = layouts.iter().map(|layout| (*layout).clone()).collect();
         let mut pipeline = Self { label, module, layouts, made: [None, None], has_coast: false };
         pipeline.select(gpu, false);

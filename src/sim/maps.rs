@@ -4,8 +4,8 @@ use super::coast::square::{CoastSquare, SHORTEST_COASTAL_WAVE_TEXELS};
 use super::resources::{MapKind, Resources, array_view};
 use super::transition::{TransitionKind, cross_fade_amplitudes};
 use crate::gpu::layout::gpu_struct;
-use crate::waves::plan::{Cascade, Plan};
 use crate::waves::overlap::SeaCovariance;
+use crate::waves::plan::{Cascade, Plan};
 use crate::waves::second_order::{BoundWaves, CascadeBoundWaves};
 use crate::waves::tiling::{SHIFT_STEPS_PER_PATCH_SIDE, Tiling, TriangleLatticePosition};
 use std::f64::consts::TAU;
@@ -294,7 +294,8 @@ impl MapCascade {
     /// Entries of a plan's sea. A coast's layers come first in the list, but last in the textures.
     fn all_of_plan(plan: &Plan, resources: &Resources, has_coast: bool) -> Vec<Self> {
         let first = resources.first_layer();
-        let ordinary: Vec<Self> = (first..).zip(&plan.cascades).map(|(layer, c)| Self::of_plan(plan, c, layer)).collect();
+        let ordinary: Vec<Self> =
+            (first..).zip(&plan.cascades).map(|(layer, c)| Self::of_plan(plan, c, layer)).collect();
         let (Some(coast), Some(longest)) = (resources.coast.as_ref().filter(|_| has_coast), ordinary.first()) else {
             return ordinary;
         };

@@ -21,7 +21,11 @@ impl SeaChange {
     /// Most expensive kind of change from the sea and grid parameters in `a` to those in `b`; `None` if all are equal. A
     /// coast that comes or goes changes how the patch of the longest waves covers the sea; another coast does not.
     pub fn between(a: &Params, b: &Params) -> Option<Self> {
-        if a.grid == b.grid && a.coast.is_on() == b.coast.is_on() { Self::between_seas(&a.sea, &b.sea) } else { Some(Self::Waves) }
+        if a.grid == b.grid && a.coast.is_on() == b.coast.is_on() {
+            Self::between_seas(&a.sea, &b.sea)
+        } else {
+            Some(Self::Waves)
+        }
     }
 
     /// Most expensive kind of change between two seas of the same grid (FFT size, cascades); `None` if all is equal.

@@ -37,7 +37,8 @@ impl EyePass {
     /// Records the pass for the frame of `scene`; nothing if the eye is at a fixed height that no wave reaches.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, scene: &Scene, water: &WaterPass) {
         let needs_waves = scene.height_from_waves || waves_may_reach_eye(scene);
-        let (Some(maps), Some(pipeline)) = (water.maps_group().filter(|_| needs_waves), self.pipeline.selected()) else {
+        let (Some(maps), Some(pipeline)) = (water.maps_group().filter(|_| needs_waves), self.pipeline.selected())
+        else {
             return;
         };
         let mut pass = begin_compute(encoder, "eye", timer.compute_pass("eye"));

@@ -99,15 +99,9 @@ impl CoastBindGroups {
     ) -> Self {
         let own = coast.uniform.buffer.as_entire_binding();
         let sea = uniforms.sea.binding();
-        let [waves, transfer, groups, carriers, amplitudes, fields] = [
-            &coast.waves,
-            &coast.transfer_envelopes,
-            &coast.groups,
-            &coast.carriers,
-            &coast.phasors,
-            &coast.fields,
-        ]
-        .map(wgpu::Buffer::as_entire_binding);
+        let [waves, transfer, groups, carriers, amplitudes, fields] =
+            [&coast.waves, &coast.transfer_envelopes, &coast.groups, &coast.carriers, &coast.phasors, &coast.fields]
+                .map(wgpu::Buffer::as_entire_binding);
         let [sums, rollers, maps] =
             [&coast.envelopes, &coast.rollers, &r.maps].map(|texture| array_view(texture, Some(0)));
         let of_split = |of: &WaveBuffers| {

@@ -22,7 +22,8 @@ impl CoastSquare {
     /// The smallest square that holds the grid of a transfer, for maps of `n` x `n` texels.
     pub fn around(transfer: &Transfer, n: u32) -> Self {
         let [wide, long] = [transfer.columns, transfer.rows].map(|count| (count - 1) as f64 * transfer.cell_m);
-        let corners = [[0.0, 0.0], [wide, 0.0], [0.0, long], [wide, long]].map(|at| world_from_frame(&transfer.placement, at));
+        let corners =
+            [[0.0, 0.0], [wide, 0.0], [0.0, long], [wide, long]].map(|at| world_from_frame(&transfer.placement, at));
         let low = [0, 1].map(|axis| corners.iter().map(|c| c[axis]).fold(f64::INFINITY, f64::min));
         let high = [0, 1].map(|axis| corners.iter().map(|c| c[axis]).fold(f64::NEG_INFINITY, f64::max));
         let n = f64::from(n);
