@@ -7,6 +7,7 @@ use seastate::coast::Transfer;
 use seastate::coast::incident::Placement;
 use seastate::gpu::{Gpu, readback};
 use seastate::lab::check::coast::SyntheticCoast;
+use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::render;
 use seastate::shaders::Shaders;
@@ -177,7 +178,7 @@ fn around_the_coast_the_sea_stays_as_it_is() {
     let corner = |i: usize| gains[i].map(f32::from);
     // The land lies downwind; the corner opposite to it lies in the open sea.
     let sea = [0, side - 1, side * (side - 1), side * side - 1].map(corner);
-    assert!(sea.contains(&[1.0, 1.0, 0.0, 0.0]), "{sea:?}");
+    assert!(sea.iter().any(|g| g[..3] == [1.0, 1.0, 0.0]), "{sea:?}");
     assert!(sea.iter().all(|g| g[2] == 0.0), "{sea:?}");
 }
 
@@ -371,4 +372,34 @@ fn behind_the_waterline_there_are_no_waves() {
     let found = surface(&gpu, Some(&Arc::new(transfer)), STATE, eye, &at);
     let most = found.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
     assert!(most < 1e-3, "{most}");
+}
+
+#[test]
+#[ignore = "draws pictures to look at after a change of the waves at a coast"]
+fn pictures_of_a_slope() {
+    let gpu = common::gpu();
+    let state = format!("{STATE}&n=256&order=1");
+    let mut params = query::parse(&state).0;
+    let plan = Plan::new(&params);
+    let coast = SyntheticCoast { shortening: 1.0, growth: 0.6, set_up_m: 0.2, waves: 200, ..flat(&plan, 1.0) };
+    let mut transfer = coast.transfer(&plan);
+    let breaking_m = 0.8 * own_hs_m(&plan, &transfer) as f32;
+    transfer.points.iter_mut().for_each(|point| point.breaking_height_m = breaking_m);
+    let transfer = Arc::new(transfer);
+    let half_m = 0.5 * coast.cell_m * (coast.size[0] - 1) as f64;
+    let eye = world_from_frame(&coast.placement, [1.2 * half_m, half_m]);
+    (params.camera.x_m, params.camera.z_m, params.camera.y_m) = (eye[0], eye[1], 25.0);
+    // North is 0 degrees, and the land lies along the frame's x axis.
+    params.camera.heading_deg = coast.placement.turn_rad.to_degrees() + 90.0 + 150.0;
+    params.camera.pitch_deg = -14.0;
+    params.clock.t_s = T_S;
+    let size = [640, 360];
+    for (name, transfer) in [("open", None), ("coast", Some(transfer))] {
+        let mut ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &params);
+        assert!(ocean.set_coast(transfer));
+        let pixels = pollster::block_on(draw_ocean_picture(&gpu, &mut ocean, size)).expect("read-back");
+        let png = seastate::files::picture::encode(size, &pixels, "", "").expect("a picture");
+        let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("coast-{name}.png"));
+        std::fs::write(path, png).expect("a file");
+    }
 }

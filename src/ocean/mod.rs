@@ -302,19 +302,6 @@ impl Ocean {
         }
     }
 
-    /// Records the part `part` of the drawing of the last frame again, alone, to measure its GPU time. Records nothing
-    /// before the first frame.
-    pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
-        if let Some(renderer) = &self.renderer {
-            renderer.record_part(encoder, part);
-        }
-    }
-
-    /// Number of vertices of the water mesh in the last frame; 0 before the first frame.
-    pub fn vertex_count(&self) -> u32 {
-        self.renderer.as_ref().map_or(0, Renderer::vertex_count)
-    }
-
     /// Records the drawing of unfiltered samples, one per cell of `grid`, for a reference picture (mean of many samples
     /// per pixel) of the last frame. Returns a texture with one sample per texel, as [`ReferenceRenderer::draw`] does.
     pub fn record_frame_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &SampleGrid) -> wgpu::Texture {

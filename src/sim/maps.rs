@@ -103,7 +103,7 @@ pub enum CascadeRole {
 #[derive(Clone, Debug)]
 pub struct MapCoast {
     /// Factors of the layers at each point of `square`, which does not repeat: of ordinary cascades, of offshore waves, and
-    /// of waves at the coast (x, y, z), each 0 to 1. Outside the square those of its edge hold.
+    /// of waves at the coast (x, y, z), each 0 to 1; and the depth, m (w). Outside the square those of its edge hold.
     pub gains: wgpu::TextureView,
     /// Rolling foam on the fronts of breaking waves (x), 0 to 1, on the texels of the layer with the role `Coast`.
     pub rollers: wgpu::TextureView,
