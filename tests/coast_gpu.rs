@@ -14,7 +14,7 @@ use seastate::shaders::Shaders;
 use seastate::sim::coast::square::{CoastSquare, frame_from_world, world_from_frame};
 use seastate::sim::coast::tables;
 use seastate::sim::resources::MapKind;
-use seastate::sim::{CascadeRole, Simulation};
+use seastate::sim::{CascadeRole, MAX_FOAM_STEPS, Simulation};
 use seastate::state::query;
 use seastate::waves::Plan;
 use seastate::waves::statistics::initial_amplitude;
@@ -185,15 +185,16 @@ fn around_the_coast_the_sea_stays_as_it_is() {
 #[test]
 fn without_a_coast_the_maps_are_the_same_bit_for_bit() {
     let gpu = common::gpu();
-    let plan = plan(STATE);
+    let state = format!("{STATE}&n=64");
+    let plan = plan(&state);
     let transfer = Arc::new(flat(&plan, 1.0).transfer(&plan));
     let mut never = Simulation::new(&gpu, plan, &Shaders::default());
-    let mut before = simulation(&gpu, STATE, Some(&transfer));
-    encode(&gpu, &mut before, [0.0; 2], FOAM_STEPS);
+    let mut before = simulation(&gpu, &state, Some(&transfer));
+    encode(&gpu, &mut before, [0.0; 2], MAX_FOAM_STEPS);
     let with = foam(&gpu, &before);
     assert!(before.set_coast(&gpu, &Shaders::default(), None));
     for sim in [&mut never, &mut before] {
-        encode(&gpu, sim, [0.0; 2], FOAM_STEPS);
+        encode(&gpu, sim, [0.0; 2], MAX_FOAM_STEPS);
     }
     for kind in [MapKind::Displacement, MapKind::Gradients] {
         for level in 0..3 {
@@ -245,9 +246,9 @@ fn another_sea_does_not_take_the_waves_of_this_one() {
     // Another number of points keeps the coast, another height of the same waves too, and another seed does not.
     sim.set_plan(&gpu, plan(&format!("{STATE}&n=64")), &shaders);
     assert!(sim.transfer().is_some() && sim.maps().coast.is_some());
-    sim.set_plan(&gpu, plan(&format!("{STATE}&scale=0.9&n=128")), &shaders);
+    sim.set_plan(&gpu, plan(&format!("{STATE}&scale=0.9&n=64")), &shaders);
     assert!(sim.transfer().is_some());
-    sim.set_plan(&gpu, plan(&format!("{STATE}&seed=5&n=128")), &shaders);
+    sim.set_plan(&gpu, plan(&format!("{STATE}&seed=5&n=64")), &shaders);
     assert!(sim.transfer().is_none() && sim.maps().coast.is_none() && !sim.has_coast());
     assert!(!sim.set_coast(&gpu, &shaders, Some(transfer)));
     // A cross-fade to another sea draws the coast until the other sea has taken over.

@@ -1,13 +1,10 @@
-// The maps of the waves at a coast, from their elevation and potential: differences of fourth order between texels. The
-// values are multiplied by the weight of these waves; its own gradient is left out, as it is in the offshore waves' rest.
+// The maps of the waves at a coast, from their elevation and potential: differences of fourth order between texels.
 //   displacement: Dx, height eta, Dz, dDx/dz     gradients: d eta/dx, d eta/dz, dDx/dx, dDz/dz     (without choppiness)
 
 @group(0) @binding(0) var<uniform> sea: Sea;
 @group(0) @binding(1) var<uniform> coast: Coast;
 @group(0) @binding(2) var<storage, read> fields: array<vec2f>; // [z][x]: elevation, m, and potential, m^2
-@group(0) @binding(3) var gains_map: texture_2d<f32>;
-@group(0) @binding(4) var clamping_sampler: sampler;
-@group(0) @binding(5) var maps: texture_storage_2d_array<rgba16float, write>; // a third of the layers for each kind
+@group(0) @binding(3) var maps: texture_storage_2d_array<rgba16float, write>; // a third of the layers for each kind
 
 fn coast_fields(texel: vec2u, offset: vec2i) -> vec2f {
   let at = bitcast<vec2u>(bitcast<vec2i>(texel) + offset) & vec2u(coast.n - 1u);
@@ -30,9 +27,6 @@ fn coast_second_derivative(texel: vec2u, step: vec2i) -> f32 {
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let texel = id.xy;
-  let steps = (texel - coast.corner_texel) & vec2u(coast.n - 1u);
-  let uv = vec2f(steps) / f32(coast.n);
-  let weight = textureSampleLevel(gains_map, clamping_sampler, uv, 0.0).z;
   let x = vec2i(1, 0);
   let z = vec2i(0, 1);
   let per_m = 1.0 / coast.texel_m;
@@ -44,7 +38,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     * vec3f(coast_second_derivative(texel, x), coast_second_derivative(texel, z), (8.0 * near - far) / 12.0);
   let height = coast_fields(texel, vec2i(0)).x;
   let layer = sea.first_layer + sea.cascade_count + 1u;
-  textureStore(maps, texel, layer, weight * vec4f(along_x.y, height, along_z.y, second.z));
-  textureStore(
-    maps, texel, textureNumLayers(maps) / 3u + layer, weight * vec4f(along_x.x, along_z.x, second.xy));
+  textureStore(maps, texel, layer, vec4f(along_x.y, height, along_z.y, second.z));
+  textureStore(maps, texel, textureNumLayers(maps) / 3u + layer, vec4f(along_x.x, along_z.x, second.xy));
 }

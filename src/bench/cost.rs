@@ -94,12 +94,9 @@ pub fn coast_pass_cost(n: u32, sizes: CoastSizes, maps: MapFormat) -> Cost {
     let CoastSizes { waves, points, groups } = sizes;
     let texel = f64::from(maps.bytes_per_texel());
     let [waves, points, groups] = [waves, points, groups].map(f64::from);
-    let sums = Cost {
-        bytes: waves * points * 4.0 + groups * points * 2.0 * texel,
-        flops: waves * points * 12.0,
-        reads: 0.0,
-    };
-    let maps_cost = Cost { bytes: 16.0 + 3.0 * texel, flops: groups * 40.0 + 90.0, reads: groups + 2.0 };
+    let sums =
+        Cost { bytes: waves * points * 4.0 + groups * points * 2.0 * texel, flops: waves * points * 12.0, reads: 0.0 };
+    let maps_cost = Cost { bytes: 16.0 + 3.0 * texel, flops: groups * 40.0 + 90.0, reads: groups + 1.0 };
     sums + cost_of_texels(n, 1, maps_cost) + row_and_column_pass_cost(n, 1, maps) + mip_pass_cost(n, 2, maps)
 }
 

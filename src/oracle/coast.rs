@@ -22,8 +22,6 @@ pub struct CoastPoint {
     pub elevation_m: f64,
     /// Potential of the horizontal displacement, m^2: its gradient is (Dx, Dz).
     pub potential_m2: f64,
-    /// Weight of the waves, 0 to 1.
-    pub weight: f64,
     /// Reciprocal of the height from which waves break, 1/m.
     pub inverse_breaking_height: f64,
 }
@@ -67,7 +65,6 @@ impl<'a> CoastWaves<'a> {
         for (place, share) in places {
             let point = &t.points[place];
             out.elevation_m += share * f64::from(point.set_up_m);
-            out.weight += share * f64::from(point.weight);
             out.inverse_breaking_height += share / f64::from(point.breaking_height_m);
         }
         out.elevation_m += 2.0 * out.half_amplitude_m[0];
@@ -122,8 +119,7 @@ pub fn maps(points: &[CoastPoint], texel_m: f64) -> CascadeMapPair {
         let xx = along(&SECOND, &|s| potential(i, s, 0)) / square;
         let zz = along(&SECOND, &|s| potential(i, 0, s)) / square;
         let xz = along(&FIRST, &|a| along(&FIRST, &|b| potential(i, a, b))) / square;
-        let weight = points[i].weight;
-        [[dx, elevation(i, 0, 0), dz, xz], [eta_x, eta_z, xx, zz]].map(|texel| texel.map(|value| weight * value))
+        [[dx, elevation(i, 0, 0), dz, xz], [eta_x, eta_z, xx, zz]]
     };
     let texels: Vec<_> = (0..points.len()).map(texel).collect();
     [0, 1].map(|kind| texels.iter().map(|texel| texel[kind]).collect())
@@ -165,8 +161,7 @@ mod tests {
     fn differences_are_of_fourth_order() {
         let points = |n: usize| -> Vec<CoastPoint> {
             let value = |i: usize| (TAU * (2 * (i % n) + i / n) as f64 / n as f64).sin();
-            let of =
-                |i| CoastPoint { elevation_m: value(i), potential_m2: value(i), weight: 1.0, ..Default::default() };
+            let of = |i| CoastPoint { elevation_m: value(i), potential_m2: value(i), ..Default::default() };
             (0..n * n).map(of).collect()
         };
         // Slope 2 along x and 1 along z, and curvatures -4, -1 and -2 times the value, in radians.

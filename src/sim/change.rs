@@ -1,7 +1,7 @@
 //! Replaces a running simulation's plan, at once or by a transition, with only the work that the change needs.
 
 use super::Simulation;
-use super::coast::tables::lattice_key;
+use super::coast::tables::{is_consistent, lattice_key};
 use super::foam::FoamParameters;
 use super::planned_sea::SeaUniformSource;
 use super::transition::{TransitionFrameProgress, TransitionKind};
@@ -71,7 +71,7 @@ impl Simulation {
 
     /// Whether transfer functions are those of waves of the current sea.
     fn fits(&self, transfer: &Transfer) -> bool {
-        self.sea.plan.has_coast && lattice_key(&self.sea.plan) == Some(transfer.lattice)
+        self.sea.plan.has_coast && lattice_key(&self.sea.plan) == Some(transfer.lattice) && is_consistent(transfer)
     }
 
     /// Advances the running transition by `dt_s` seconds of wall time and returns its progress in this frame. If there

@@ -48,7 +48,7 @@ impl CoastPasses {
         let phasors = kernel("coast/phasors", "coast/phasors", &[sea, own, read, read, read, write]);
         let envelopes = kernel("coast/envelopes", "coast/envelopes", &[own, read, read, read, map]);
         let sum = kernel("coast/sum", "coast/sum", &[own, read, read, array, texture, sampler, write, map]);
-        let gradients = kernel("coast/gradients", "coast/gradients", &[sea, own, read, texture, sampler, map]);
+        let gradients = kernel("coast/gradients", "coast/gradients", &[sea, own, read, map]);
         let groups = CoastBindGroups::new(gpu, [&split, &phasors, &envelopes, &sum, &gradients], (r, coast), uniforms);
         Some(Self { split, phasors, envelopes, sum, gradients, groups })
     }
@@ -131,10 +131,7 @@ impl CoastBindGroups {
                     TextureView(&rollers),
                 ],
             ),
-            gradients: gradients.bind(
-                gpu,
-                &[sea, own.clone(), fields, TextureView(&coast.gains), Sampler(&coast.sampler), TextureView(&maps)],
-            ),
+            gradients: gradients.bind(gpu, &[sea, own.clone(), fields, TextureView(&maps)]),
         }
     }
 }

@@ -17,6 +17,22 @@ pub fn lattice_key(plan: &Plan) -> Option<LatticeKey> {
     Some(LatticeKey { patch_m: cascade.patch_m, noise_key: cascade.noise_key, seed: plan.sea.seed })
 }
 
+/// Largest number of groups: WebGPU's base limit of the layers of a texture.
+const MAX_GROUPS: usize = 256;
+
+/// Whether the parts of transfer functions have the lengths that belong together.
+pub fn is_consistent(transfer: &Transfer) -> bool {
+    let points = transfer.columns * transfer.rows;
+    transfer.columns.min(transfer.rows) >= 2
+        && transfer.points.len() == points
+        && transfer.envelopes.len() == points * transfer.waves.len()
+        && transfer.groups.len() <= MAX_GROUPS
+        && transfer.groups.iter().all(|group| {
+            group.column_phase_rad.len() == transfer.columns
+                && group.first_wave + group.wave_count <= transfer.waves.len()
+        })
+}
+
 /// The wave vectors of the waves: signed indices along x and z, as two 16-bit numbers. A wave that a lattice of `n` x `n`
 /// waves does not hold becomes the wave of index 0, which has no amplitude.
 pub fn packed_waves(transfer: &Transfer, n: u32) -> Vec<u32> {
