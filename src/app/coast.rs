@@ -60,20 +60,18 @@ impl AppCoast {
     pub fn slows_frames(&self) -> bool {
         cfg!(target_arch = "wasm32") && self.task.progress().is_some()
     }
-
-    /// Whether the waves near the coast of `params` are still to be computed.
-    pub fn is_busy(&self, params: &Params) -> bool {
-        self.task.is_busy(params)
-    }
 }
 
 impl App {
-    /// Places the coast of the parameters, with the file that was opened last if it is a file, and solves its waves. They are the same at every FFT size: a smaller one, which
-    /// keeps a slow machine up, leaves out the shortest of them.
-    pub(super) fn follow_coast(&mut self, ctx: &egui::Context) {
+    /// Gives a coast that is a file the one that was opened last, if it has none.
+    pub(super) fn adopt_coast_file(&mut self) {
         self.params.coast.adopt_file(self.coast.file.as_ref());
-        self.coast.task.update(&self.params, ctx.input(|i| i.time));
-        if self.coast.is_busy(&self.params) {
+    }
+
+    /// Places the coast of the parameters `drawn`, with which the next frame is drawn, and solves its waves.
+    pub(super) fn follow_coast(&mut self, drawn: &Params, ctx: &egui::Context) {
+        self.coast.task.update(drawn, ctx.input(|i| i.time));
+        if self.coast.task.is_busy(drawn) {
             #[cfg(target_arch = "wasm32")]
             ctx.request_repaint();
             #[cfg(not(target_arch = "wasm32"))]
@@ -151,7 +149,7 @@ impl App {
 
     /// Whether the waves near the coast of the parameters are there, or the sea is open.
     pub fn is_coast_shown(&self) -> bool {
-        !self.coast.is_busy(&self.params)
+        !self.coast.task.is_busy(&self.params_to_draw())
     }
 
     /// Whether a bathymetry was opened since the start.

@@ -336,8 +336,9 @@ impl eframe::App for App {
         if interface == Interface::Panel {
             panel::show_bottom_sheet(self, ui);
         }
-        self.follow_coast(&ctx);
+        self.adopt_coast_file();
         let params = self.params_to_draw();
+        self.follow_coast(&params, &ctx);
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
         let is_adaptive = self.params.screen.adaptive && !self.stands_still();
         let level = is_adaptive.then(|| self.quality.level());

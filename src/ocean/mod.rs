@@ -1,5 +1,6 @@
 //! The façade of the crate: [`Ocean`], a simulated sea with its picture, which window, page and command line use.
 
+mod coast;
 pub mod coast_task;
 pub mod device_info;
 mod interpolated;
@@ -227,9 +228,9 @@ impl Ocean {
         let maps = self.sim.maps();
         let (fading, own) = maps.cascades.split_at(maps.fading_cascade_count);
         let (old, now) = self.plans.fading_and_current();
-        let of = |plans: &WeightedPlans, cascades: &[MapCascade]| -> Vec<DrawnSea> {
-            let weights =
-                |share: f64| cascades.iter().map(|c| share * f64::from(c.cross_fade_amplitude_factor)).collect();
+        let of = |plans: &WeightedPlans, cascades| -> Vec<DrawnSea> {
+            let factors = || MapCascade::ordinary(cascades).map(|c| f64::from(c.cross_fade_amplitude_factor));
+            let weights = |share: f64| factors().map(|factor| share * factor).collect();
             plans
                 .0
                 .iter()
@@ -308,19 +309,6 @@ impl Ocean {
         }
     }
 
-    /// Records the part `part` of the drawing of the last frame again, alone, to measure its GPU time. Records nothing
-    /// before the first frame.
-    pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
-        if let Some(renderer) = &self.renderer {
-            renderer.record_part(encoder, part);
-        }
-    }
-
-    /// Number of vertices of the water mesh in the last frame; 0 before the first frame.
-    pub fn vertex_count(&self) -> u32 {
-        self.renderer.as_ref().map_or(0, Renderer::vertex_count)
-    }
-
     /// All that determines a picture of `width` x `height` pixels with the present parameters, besides the maps:
     /// camera, look, sea properties and floating objects.
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
@@ -344,6 +332,7 @@ impl Ocean {
                 variance_fraction: 1.0 - share,
             }),
             mean_foam: self.sim.mean_foam(),
+            has_coast: self.sim.maps().coast.is_some(),
             may_keep_pipelines: self.may_keep_pipelines,
             is_lean: self.is_lean,
             t_s: self.params.clock.t_s,
