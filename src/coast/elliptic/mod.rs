@@ -156,22 +156,11 @@ impl EllipticSolver {
         if self.solved >= self.bins.len() {
             return 1.0;
         }
-        let end = (self.solved + self.options.threads.max(1)).min(self.bins.len());
-        let this = &*self;
         if self.options.threads < 2 {
-            let mut work = self.work.take().unwrap_or_else(|| this.begin(self.solved));
-            let solutions = self.step(self.solved, &mut work);
-            self.keep(solutions);
-            let bin = &self.bins[self.solved];
-            let part = 0.5 * f64::from(u8::from(work.factors.is_some())) + 0.5 * work.solved as f64 / bin.members.len() as f64;
-            let is_done = work.solved >= bin.members.len();
-            if is_done {
-                self.solved = end;
-            } else {
-                self.work = Some(work);
-            }
-            return (self.solved as f64 + if is_done { 0.0 } else { part }) / self.bins.len() as f64;
+            return self.advance_alone();
         }
+        let end = (self.solved + self.options.threads).min(self.bins.len());
+        let this = &*self;
         let solutions: Vec<Solutions> = std::thread::scope(|scope| {
             let threads: Vec<_> = (self.solved..end).map(|bin| scope.spawn(move || this.solve_bin(bin))).collect();
             threads.into_iter().map(|thread| thread.join().unwrap_or_default()).collect()
@@ -179,6 +168,25 @@ impl EllipticSolver {
         self.keep(solutions.into_iter().flatten().collect());
         self.solved = end;
         self.solved as f64 / self.bins.len() as f64
+    }
+
+    /// Some milliseconds of work in the calling thread.
+    fn advance_alone(&mut self) -> f64 {
+        let mut work = match self.work.take() {
+            Some(work) => work,
+            None => self.begin(self.solved),
+        };
+        let solutions = self.step(self.solved, &mut work);
+        self.keep(solutions);
+        let members = self.bins[self.solved].members.len();
+        let mut part = 0.5 * f64::from(u8::from(work.factors.is_some())) + 0.5 * work.solved as f64 / members as f64;
+        if work.solved < members {
+            self.work = Some(work);
+        } else {
+            self.solved += 1;
+            part = 0.0;
+        }
+        (self.solved as f64 + part) / self.bins.len() as f64
     }
 
     fn keep(&mut self, solutions: Solutions) {
@@ -286,8 +294,7 @@ impl EllipticSolver {
             for j in 0..rows {
                 let y = (j as f64 - self.grid.first[1] as f64) * self.grid.cell_m;
                 let turn = Complex::polar(1.0, ky * y);
-                let [weight, slope, curvature] =
-                    if sides.len() == 1 { [1.0, 0.0, 0.0] } else { self.blend(j, side) };
+                let [weight, slope, curvature] = if sides.len() == 1 { [1.0, 0.0, 0.0] } else { self.blend(j, side) };
                 for i in 0..columns {
                     let wave = along_x[i] * turn;
                     part[j * columns + i] = wave * weight;

@@ -47,9 +47,8 @@ pub(super) fn divide(
         if error <= SMALL_ERROR * SMALL_ERROR * total {
             break;
         }
-        let worst = (0..groups.len()).reduce(|a, b| {
-            if groups[b].1.squared_error_m2 > groups[a].1.squared_error_m2 { b } else { a }
-        });
+        let worst = (0..groups.len())
+            .reduce(|a, b| if groups[b].1.squared_error_m2 > groups[a].1.squared_error_m2 { b } else { a });
         let Some(worst) = worst else { break };
         let (members, spread) = groups.swap_remove(worst);
         let (low, high) = members.into_iter().partition(|w| features[*w][spread.axis] <= spread.middle);
@@ -122,10 +121,5 @@ pub(super) fn group(
     let direction_rad = (ky / k(omega_rad_s, profile_m[0])).clamp(-1.0, 1.0).asin();
     let middle = Incident { omega_rad_s, direction_rad, ..Incident::default() };
     let carrier = Carrier::new(&middle, profile_m, cell_m, gravity_m_s2);
-    WaveGroup {
-        first_wave,
-        wave_count: members.len(),
-        ky_rad_m: carrier.ky_rad_m,
-        column_phase_rad: carrier.phase_rad,
-    }
+    WaveGroup { first_wave, wave_count: members.len(), ky_rad_m: carrier.ky_rad_m, column_phase_rad: carrier.phase_rad }
 }

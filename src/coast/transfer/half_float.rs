@@ -24,11 +24,10 @@ fn from_f64(value: f64) -> u16 {
     sign | bits.min(0x7bff) as u16
 }
 
-/// Value of a half float: sign, five bits of the exponent, ten of the fraction.
+/// Value of a half float. Its exponent and fraction are those of a single float whose exponent is 112 less.
 fn to_f64(bits: u16) -> f64 {
-    let (exponent, fraction) = (i32::from(bits >> 10 & 31), f64::from(bits & 1023) / 1024.0);
-    let size = if exponent == 0 { fraction * 2f64.powi(-14) } else { (1.0 + fraction) * 2f64.powi(exponent - 15) };
-    if bits >> 15 == 0 { size } else { -size }
+    let size = f32::from_bits(u32::from(bits & 0x7fff) << 13) * 5.192_296_858_534_828e33;
+    f64::from(if bits >> 15 == 0 { size } else { -size })
 }
 
 #[cfg(test)]

@@ -3,7 +3,9 @@
 use super::groups::{carrier_profile_m, divide, group};
 use super::{LatticeKey, TransferLimits, WaveGroup};
 use crate::coast::bathymetry::Bathymetry;
-use crate::coast::incident::{Incident, LatticeIncident, Placement, spectrum_bins, strongest_waves_of_cascade, wrapped};
+use crate::coast::incident::{
+    Incident, LatticeIncident, Placement, spectrum_bins, strongest_waves_of_cascade, wrapped,
+};
 use crate::coast::local_wave::LocalWave;
 use crate::coast::open_sea::{Arrival, MAX_OPEN_ANGLE_RAD, Solver, foreshore_slope, reflection};
 use crate::coast::options::Options;
@@ -141,8 +143,7 @@ fn grid(coast: &PlacedCoast, solver: Solver, limits: &TransferLimits) -> Bathyme
     };
     let cell_m = wide.max(long) / (points.max(3) - 1) as f64;
     let count = |side_m: f64| (side_m / cell_m).round().max(2.0) as usize + 1;
-    let mut grid =
-        Bathymetry::from_fn(count(wide), count(long), cell_m, |x, y| coast.bathymetry.depth_at_m(x, y));
+    let mut grid = Bathymetry::from_fn(count(wide), count(long), cell_m, |x, y| coast.bathymetry.depth_at_m(x, y));
     // Interpolated depths could have gaps in a thin wall.
     coast.structures.iter().for_each(|structure| structure.build_in(&mut grid));
     grid
