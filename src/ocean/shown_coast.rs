@@ -7,10 +7,9 @@ use crate::coast::transfer::TransferSolver;
 use std::sync::Arc;
 
 impl Ocean {
-    /// Shows a coast in the frames from now on. Without its waves, its land lies in the open sea. Waves that do not belong
-    /// to the present sea wait until a running transition has led to theirs.
-    pub fn show_coast(&mut self, (land, waves): ShownCoast) {
-        self.set_land(land);
+    /// Shows the waves of a coast in the frames from now on; without them the open sea. Waves that do not belong to the
+    /// present sea wait until a running transition has led to theirs.
+    pub fn show_coast(&mut self, (_, waves): ShownCoast) {
         let address = |waves: Option<&Arc<_>>| waves.map(Arc::as_ptr);
         if address(self.transfer()) != address(waves.as_ref()) && !self.in_transition() {
             self.set_coast(waves);
