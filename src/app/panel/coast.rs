@@ -1,7 +1,6 @@
 //! The coast in the panel's tab of the weather: which one, and what it does to the waves.
 
 use super::super::App;
-use super::super::accessible_names::with_accessible_name;
 use super::super::coast::COAST_NAMES;
 use super::{button_with_help, rows};
 use crate::app::language::{say, text, tr};
@@ -60,7 +59,7 @@ pub fn show_coast(app: &mut App, ui: &mut egui::Ui) {
                 ui.selectable_value(&mut chosen, name, name_of(name));
             }
         });
-        with_accessible_name(list.response, tr("Coast")).labelled_by(label.id);
+        list.response.labelled_by(label.id);
     });
     if chosen != now {
         match chosen {
