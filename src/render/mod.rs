@@ -6,6 +6,7 @@
 mod drops;
 mod film;
 mod frame;
+mod land;
 mod reference;
 mod scene;
 mod scene_group;
@@ -19,9 +20,9 @@ pub use frame::FrameUniform;
 pub use reference::{ReferenceRenderer, SampleGrid};
 pub use scene::{FadingSea, Scene, SeaAppearance};
 pub use targets::OutputKind;
-pub use water::bed::BedTexture;
 pub use water::hull_images::HullImages;
 pub use water::material::MaterialUniform;
+pub use water::noise::NoiseTexture;
 
 use crate::gpu::Gpu;
 use crate::gpu::layout::StructDeclaration;
@@ -39,7 +40,9 @@ use drops::spray::{SprayLevel, SprayUniform};
 use film::present::PresentPass;
 use film::tone::{TonePass, ToneUniform};
 use frame::{FrameCascade, FrameFoamGrid};
-use scene_group::SceneGroup;
+use land::map::LandUniform;
+use land::{LandPass, LandVertex};
+use scene_group::{SceneGroup, SceneResources};
 use sky::background::BackgroundPass;
 use sky::clouds::{CloudField, CloudView};
 use sky::tables::SkyTables;
@@ -53,7 +56,6 @@ use water::hulls::{HullPass, HullVertex};
 use water::light::WaterPass;
 use water::material::NoiseLayer;
 use water::mesh::{Mesh, MeshLattice};
-use water::noise::NoiseTexture;
 use water::under::UnderPass;
 
 /// Structs that Rust and the renderer's shaders share; their WGSL declarations are made from these.
@@ -78,6 +80,8 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     SprayLevel::DECLARATION,
     SprayUniform::DECLARATION,
     RainUniform::DECLARATION,
+    LandVertex::DECLARATION,
+    LandUniform::DECLARATION,
     ToneUniform::DECLARATION,
     ViewTile::DECLARATION,
     ViewUniform::DECLARATION,
@@ -106,12 +110,12 @@ pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
     hull_images: Uniform<HullImages>,
-    bed: BedTexture,
     sky: SkyTables,
     noise: NoiseTexture,
     eye: EyePass,
     water: WaterPass,
     under: UnderPass,
+    land: LandPass,
     background: BackgroundPass,
     hulls: HullPass,
     drops: DropPasses,
@@ -133,8 +137,16 @@ impl Renderer {
         let hull_images = Uniform::new(gpu, "hull images");
         let noise = NoiseTexture::new(gpu);
         let sky = SkyTables::new(gpu, &shaders, &noise);
-        let bed = BedTexture::new(gpu);
-        let scene = SceneGroup::new(gpu, &frame, (&material, &hull_images), &sky, (&noise, &bed), output);
+        let land = LandPass::new(gpu, shaders.clone());
+        let resources = SceneResources {
+            frame: &frame,
+            material: &material,
+            hull_images: &hull_images,
+            sky: &sky,
+            noise: &noise,
+            land: land.resources(),
+        };
+        let scene = SceneGroup::new(gpu, &resources, output);
         let background = BackgroundPass::new(gpu, &shaders);
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
@@ -149,12 +161,12 @@ impl Renderer {
             frame,
             material,
             hull_images,
-            bed,
             sky,
             noise,
             eye,
             water,
             under: UnderPass::new(shaders),
+            land,
             background,
             hulls,
             drops,
@@ -217,8 +229,9 @@ impl Renderer {
             self.sky.prepare_clouds(gpu, scene, targets.size[0], &self.noise);
         }
         if water::material::is_bed_visible(scene) {
-            self.bed.fill_once(gpu);
+            self.noise.fill_bed_once(gpu);
         }
+        self.prepare_land(gpu, scene);
         self.water.select_pipeline(gpu, scene);
         self.under.prepare(gpu, scene, &self.water);
         self.background.select_pipeline(gpu, &self.water.scene, &self.sky, scene);
@@ -230,6 +243,22 @@ impl Renderer {
         }
         self.water.mesh.set_mesh(gpu, mesh);
         self.hulls.upload_hulls(gpu, &self.water.scene, scene);
+    }
+
+    /// Uploads the land of a scene, if it has another one than the last, and selects its pipelines.
+    fn prepare_land(&mut self, gpu: &Gpu, scene: &Scene) {
+        if self.land.upload(gpu, scene) {
+            let resources = SceneResources {
+                frame: &self.frame,
+                material: &self.material,
+                hull_images: &self.hull_images,
+                sky: &self.sky,
+                noise: &self.noise,
+                land: self.land.resources(),
+            };
+            self.water.scene.bind(gpu, &resources);
+        }
+        self.land.select_pipelines(gpu, scene, &self.water);
     }
 
     /// Records the passes that draw the false-colour view selected in `scene.look`, in place of the picture.
@@ -256,6 +285,7 @@ impl Renderer {
         if !scene.is_submerged() {
             self.background.draw(&mut pass, &self.water.scene, &self.sky);
             self.water.draw_light(&mut pass);
+            self.land.draw_light(&mut pass, &self.water);
         }
         self.under.draw_light(&mut pass, &self.water);
         if !self.hulls.is_needed() {
@@ -273,7 +303,7 @@ impl Renderer {
     /// Records the drawing of the water mesh into the G-buffer and, if the eye dives, of the map of light shafts.
     fn record_water_mesh(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, targets: &Targets) {
         self.under.record_shafts(encoder, timer, &self.water);
-        self.water.record_g_buffer(encoder, timer, targets, self.under.g_buffer_pipeline());
+        self.water.record_g_buffer(encoder, timer, targets, (&self.land, self.under.g_buffer_pipeline()));
     }
 
     /// Records one part of the last picture again, alone, even if its results are up to date, to measure its GPU time.
