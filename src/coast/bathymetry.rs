@@ -27,4 +27,16 @@ impl Bathymetry {
     pub fn at(&self, i: usize, j: usize) -> f64 {
         f64::from(self.depth_m[j * self.columns + i])
     }
+
+    /// Depth (m) at the place (`x_m`, `y_m`), m: bilinear between the points, and that of the nearest edge outside.
+    pub fn depth_at_m(&self, x_m: f64, y_m: f64) -> f64 {
+        let place = |at_m: f64, count: usize| {
+            let at = (at_m / self.cell_m).clamp(0.0, (count - 1) as f64);
+            let low = (at as usize).min(count - 2);
+            (low, at - low as f64)
+        };
+        let ((i, p), (j, q)) = (place(x_m, self.columns), place(y_m, self.rows));
+        let along_x = |j: usize| self.at(i, j) + p * (self.at(i + 1, j) - self.at(i, j));
+        along_x(j) + q * (along_x(j + 1) - along_x(j))
+    }
 }

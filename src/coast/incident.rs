@@ -1,6 +1,8 @@
 //! The sea that comes from the open water: its components in the frame of a coast.
 
 use crate::waves::Plan;
+use crate::waves::lattice::LatticeWave;
+use crate::waves::plan::Cascade;
 use crate::waves::statistics::{initial_amplitude, lattice_indices};
 use crate::waves::table::{SpectrumTable, entry_index};
 use std::f64::consts::{PI, TAU};
@@ -36,6 +38,17 @@ pub struct Placement {
     pub turn_rad: f64,
 }
 
+/// A wave of a cascade's lattice in the frame of a coast.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LatticeIncident {
+    /// The wave. Its direction is that in the open sea.
+    pub incident: Incident,
+    /// Indices (along x and z of the world) of its wave vector on the lattice.
+    pub lattice_index: [i32; 2],
+    /// Its wave number and frequency.
+    pub wave: LatticeWave,
+}
+
 /// The `count` strongest waves of a planned sea that are longer than `min_wavelength_m` and travel at less than
 /// `max_angle_rad` from straight shoreward, with the phases of the plan's seed, strongest first.
 ///
@@ -47,33 +60,63 @@ pub fn strongest_waves(
     min_wavelength_m: f64,
     max_angle_rad: f64,
 ) -> Vec<Incident> {
-    let mut waves = Vec::new();
-    for cascade in plan.cascades.iter().filter(|c| c.k_low * min_wavelength_m < TAU) {
-        let table = SpectrumTable::new(plan, cascade);
-        for (ix, iz) in lattice_indices(plan.n) {
-            let wave = &table.waves[entry_index(ix, iz)];
-            if wave.k <= 0.0 || wave.k * min_wavelength_m > TAU {
-                continue;
-            }
-            let [kx, kz] = [ix, iz].map(|index| f64::from(index) * cascade.dk());
-            let direction_rad = wrapped(kz.atan2(kx) - place.turn_rad);
-            if direction_rad.abs() > max_angle_rad {
-                continue;
-            }
-            let [re, im] = initial_amplitude(plan, cascade, &table, ix, iz);
-            let phase_rad = im.atan2(re) + kx * place.origin_m[0] + kz * place.origin_m[1];
-            waves.push(Incident {
-                amplitude_m: 2.0 * re.hypot(im),
-                phase_rad: wrapped(phase_rad),
-                omega_rad_s: wave.omega,
-                direction_rad,
-            });
-        }
-    }
-    waves.retain(|wave| wave.amplitude_m > 0.0);
-    waves.sort_by(|a, b| b.amplitude_m.total_cmp(&a.amplitude_m));
+    let all = plan.cascades.iter().flat_map(|c| shoreward_waves(plan, c, place, min_wavelength_m, max_angle_rad));
+    strongest(all.collect(), count).into_iter().map(|wave| wave.incident).collect()
+}
+
+/// As [`strongest_waves`], but only those of `cascade`, with their places on its lattice.
+pub fn strongest_waves_of_cascade(
+    plan: &Plan,
+    cascade: &Cascade,
+    place: Placement,
+    count: usize,
+    min_wavelength_m: f64,
+    max_angle_rad: f64,
+) -> Vec<LatticeIncident> {
+    strongest(shoreward_waves(plan, cascade, place, min_wavelength_m, max_angle_rad), count)
+}
+
+fn strongest(mut waves: Vec<LatticeIncident>, count: usize) -> Vec<LatticeIncident> {
+    waves.retain(|wave| wave.incident.amplitude_m > 0.0);
+    waves.sort_by(|a, b| b.incident.amplitude_m.total_cmp(&a.incident.amplitude_m));
     waves.truncate(count);
     waves
+}
+
+/// All waves of a cascade that are longer than `min_wavelength_m` and travel at less than `max_angle_rad` from straight
+/// shoreward.
+fn shoreward_waves(
+    plan: &Plan,
+    cascade: &Cascade,
+    place: Placement,
+    min_wavelength_m: f64,
+    max_angle_rad: f64,
+) -> Vec<LatticeIncident> {
+    if cascade.k_low * min_wavelength_m >= TAU {
+        return Vec::new();
+    }
+    let table = SpectrumTable::new(plan, cascade);
+    let wave = |(ix, iz): (i32, i32)| {
+        let wave = table.waves[entry_index(ix, iz)];
+        if wave.k <= 0.0 || wave.k * min_wavelength_m > TAU {
+            return None;
+        }
+        let [kx, kz] = [ix, iz].map(|index| f64::from(index) * cascade.dk());
+        let direction_rad = wrapped(kz.atan2(kx) - place.turn_rad);
+        if direction_rad.abs() > max_angle_rad {
+            return None;
+        }
+        let [re, im] = initial_amplitude(plan, cascade, &table, ix, iz);
+        let phase_rad = im.atan2(re) + kx * place.origin_m[0] + kz * place.origin_m[1];
+        let incident = Incident {
+            amplitude_m: 2.0 * re.hypot(im),
+            phase_rad: wrapped(phase_rad),
+            omega_rad_s: wave.omega,
+            direction_rad,
+        };
+        Some(LatticeIncident { incident, lattice_index: [ix, iz], wave })
+    };
+    lattice_indices(plan.n).filter_map(wave).collect()
 }
 
 /// The directional spectrum of a planned sea as one component for each of `frequencies` x `directions` bins, for maps
@@ -122,6 +165,6 @@ pub fn spectrum_bins(
 }
 
 /// The angle plus a multiple of 2 pi that lies between -pi and pi.
-fn wrapped(angle_rad: f64) -> f64 {
+pub(super) fn wrapped(angle_rad: f64) -> f64 {
     (angle_rad + PI).rem_euclid(TAU) - PI
 }

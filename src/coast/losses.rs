@@ -18,36 +18,68 @@ pub(super) struct ColumnEnergy {
     first_moment: Vec<f64>,
 }
 
-/// Breaking at the points of a grid, in the order of [`Bathymetry::depth_m`].
+/// Breaking at the points of a grid, in the order of [`Bathymetry::depth_m`], and the marched sea that breaks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dissipation {
     /// Fraction of the waves that break, 0 to 1.
     pub breaking_fraction: Vec<f32>,
     /// Rate at which breaking takes the energy of each component, 1/s.
     pub rate_per_s: Vec<f32>,
+    /// Factor of breaking on the amplitudes on their way from the column before.
+    pub amplitude_factor: Vec<f32>,
+    /// Variance of the elevation of all components, m^2.
+    pub variance_m2: Vec<f32>,
+    /// Flux of that variance along x, m^3/s.
+    pub shoreward_flux_m3_s: Vec<f32>,
+    /// Mean angular frequency, weighted by variance, rad/s; 0 without waves.
+    pub mean_omega_rad_s: Vec<f32>,
 }
 
 impl Dissipation {
     /// No breaking anywhere.
     pub fn none(bathymetry: &Bathymetry) -> Self {
-        let points = bathymetry.columns * bathymetry.rows;
-        Self { breaking_fraction: vec![0.0; points], rate_per_s: vec![0.0; points] }
+        let zeros = vec![0.0; bathymetry.columns * bathymetry.rows];
+        Self {
+            breaking_fraction: zeros.clone(),
+            rate_per_s: zeros.clone(),
+            amplitude_factor: vec![1.0; zeros.len()],
+            variance_m2: zeros.clone(),
+            shoreward_flux_m3_s: zeros.clone(),
+            mean_omega_rad_s: zeros,
+        }
     }
 
-    /// Stores the breaking of the sea `energy` at the rows of `column` with the depths `depth_m`.
-    pub(super) fn record(&mut self, column: usize, energy: &ColumnEnergy, depth_m: &[f64], options: &Options) {
+    /// Stores the sea `energy` at the rows of `column` with the depths `depth_m`, and how it breaks. `factors` are those
+    /// of breaking on the amplitudes since the column before.
+    pub(super) fn record(
+        &mut self,
+        column: usize,
+        energy: &ColumnEnergy,
+        factors: &[f64],
+        depth_m: &[f64],
+        options: &Options,
+    ) {
         let columns = self.rate_per_s.len() / depth_m.len();
         for (j, depth_m) in depth_m.iter().enumerate() {
-            let m0 = energy.variance_m2[j];
+            let (m0, point) = (energy.variance_m2[j], j * columns + column);
+            self.amplitude_factor[point] = factors[j] as f32;
             if m0 <= 0.0 || *depth_m < options.min_depth_m {
                 continue;
             }
             let omega = energy.first_moment[j] / m0;
             let k = LocalWave::new(omega, *depth_m, options.gravity_m_s2).k;
             let (fraction, loss) = options.losses.breaking(m0, omega, k, *depth_m);
-            self.breaking_fraction[j * columns + column] = fraction as f32;
-            self.rate_per_s[j * columns + column] = (loss / m0) as f32;
+            self.breaking_fraction[point] = fraction as f32;
+            self.rate_per_s[point] = (loss / m0) as f32;
+            self.variance_m2[point] = m0 as f32;
+            self.shoreward_flux_m3_s[point] = energy.flux_m3_s[j] as f32;
+            self.mean_omega_rad_s[point] = omega as f32;
         }
+    }
+
+    /// Factors of breaking on the amplitudes at the rows of `column` since the column before.
+    pub(super) fn factors_at(&self, column: usize, columns: usize) -> Vec<f64> {
+        self.amplitude_factor.iter().skip(column).step_by(columns).map(|factor| f64::from(*factor)).collect()
     }
 }
 

@@ -18,6 +18,7 @@ pub mod incident;
 mod line;
 pub mod local_wave;
 pub mod losses;
+pub mod open_sea;
 pub mod options;
 pub mod parabolic;
 pub mod placed;

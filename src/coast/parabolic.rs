@@ -20,14 +20,16 @@ const COMPONENTS_FOR_THREADS: usize = 32;
 
 /// Marches the components of a sea over a coast, one column of points after the other, so that a program can show
 /// progress or do other work between columns.
-pub struct ParabolicSolver<'a> {
-    bathymetry: &'a Bathymetry,
+pub struct ParabolicSolver {
+    bathymetry: Bathymetry,
     options: Options,
     profile_m: Vec<f64>,
     marchers: Vec<Marcher>,
     field: Field,
     dissipation: Dissipation,
     energy: ColumnEnergy,
+    /// Whether the field is kept, or only what breaking does.
+    keeps_field: bool,
     /// Number of columns that are solved.
     solved: usize,
 }
@@ -40,11 +42,20 @@ pub fn solve(bathymetry: &Bathymetry, incident: &[Incident], options: &Options) 
     solver.finish()
 }
 
-impl<'a> ParabolicSolver<'a> {
+impl ParabolicSolver {
     /// Prepares the solution; the first column gets the waves of the open sea.
-    pub fn new(bathymetry: &'a Bathymetry, incident: &[Incident], options: &Options) -> Self {
+    pub fn new(bathymetry: &Bathymetry, incident: &[Incident], options: &Options) -> Self {
+        Self::prepared(bathymetry, incident, true, options)
+    }
+
+    /// Prepares a solution that only tells how the sea breaks: its field is empty.
+    pub fn without_field(bathymetry: &Bathymetry, incident: &[Incident], options: &Options) -> Self {
+        Self::prepared(bathymetry, incident, false, options)
+    }
+
+    fn prepared(bathymetry: &Bathymetry, incident: &[Incident], keeps_field: bool, options: &Options) -> Self {
         let profile_m = mean_profile_m(bathymetry, options.min_depth_m);
-        let points = bathymetry.columns * bathymetry.rows;
+        let points = if keeps_field { bathymetry.columns * bathymetry.rows } else { 0 };
         let component = |incident: &Incident| ComponentField {
             incident: *incident,
             carrier: Carrier::new(incident, &profile_m, bathymetry.cell_m, options.gravity_m_s2),
@@ -61,18 +72,19 @@ impl<'a> ParabolicSolver<'a> {
         let marchers = components.iter().map(marcher).collect();
         let (columns, rows, cell_m) = (bathymetry.columns, bathymetry.rows, bathymetry.cell_m);
         let mut out = Self {
-            bathymetry,
+            bathymetry: bathymetry.clone(),
             options: *options,
             profile_m,
             marchers,
             field: Field { columns, rows, cell_m, components },
             dissipation: Dissipation::none(bathymetry),
             energy: ColumnEnergy::default(),
+            keeps_field,
             solved: 1,
         };
         out.energy = out.column_energy();
         let depths = out.depths(0);
-        out.dissipation.record(0, &out.energy, &depths, &out.options);
+        out.dissipation.record(0, &out.energy, &vec![1.0; rows], &depths, &out.options);
         out.store(0);
         out
     }
@@ -89,7 +101,7 @@ impl<'a> ParabolicSolver<'a> {
             for marcher in &mut self.marchers {
                 marcher.scale(&gains);
             }
-            self.dissipation.record(column, &arrived, &after, &self.options);
+            self.dissipation.record(column, &arrived, &gains, &after, &self.options);
             self.energy = arrived;
             self.store(column);
             self.solved += 1;
@@ -106,7 +118,7 @@ impl<'a> ParabolicSolver<'a> {
     fn march_to(&mut self, column: usize) {
         let profile = [self.profile_m[column - 1], self.profile_m[column]];
         let steps: Vec<Vec<DepthLine>> = (1..=MAX_REFINEMENT)
-            .map(|refinement| DepthLine::between_columns(self.bathymetry, column - 1, refinement))
+            .map(|refinement| DepthLine::between_columns(&self.bathymetry, column - 1, refinement))
             .collect();
         let options = &self.options;
         let work = |marchers: &mut [Marcher]| {
@@ -140,12 +152,71 @@ impl<'a> ParabolicSolver<'a> {
     }
 
     fn store(&mut self, column: usize) {
+        if !self.keeps_field {
+            return;
+        }
         for (marcher, component) in self.marchers.iter().zip(&mut self.field.components) {
             for j in 0..self.bathymetry.rows {
                 let at = marcher.envelope(j);
                 component.envelope[j * self.bathymetry.columns + column] = [at.re as f32, at.im as f32];
             }
         }
+    }
+}
+
+/// Marches single waves through a sea whose breaking is known. All waves lose the same fraction of their energy, so a wave
+/// that was marched alone is what it is among the others.
+pub struct LoneMarch {
+    bathymetry: Bathymetry,
+    options: Options,
+    profile_m: Vec<f64>,
+    dissipation: Dissipation,
+    /// Depths of the fine steps of each column, for each refinement.
+    steps: Vec<Vec<Vec<DepthLine>>>,
+}
+
+impl LoneMarch {
+    /// Prepares marches through a sea with the `dissipation` of a [`ParabolicSolver`] over the same `bathymetry`.
+    pub fn new(bathymetry: &Bathymetry, dissipation: Dissipation, options: &Options) -> Self {
+        let columns = bathymetry.columns - 1;
+        let steps = |refinement: usize| {
+            (0..columns).map(|column| DepthLine::between_columns(bathymetry, column, refinement)).collect()
+        };
+        Self {
+            bathymetry: bathymetry.clone(),
+            options: *options,
+            profile_m: mean_profile_m(bathymetry, options.min_depth_m),
+            steps: (1..=MAX_REFINEMENT).map(steps).collect(),
+            dissipation,
+        }
+    }
+
+    /// The breaking of the sea.
+    pub fn dissipation(&self) -> &Dissipation {
+        &self.dissipation
+    }
+
+    /// The field of one wave.
+    pub fn march(&self, incident: &Incident) -> ComponentField {
+        let (grid, options) = (&self.bathymetry, &self.options);
+        let carrier = Carrier::new(incident, &self.profile_m, grid.cell_m, options.gravity_m_s2);
+        let mut out =
+            ComponentField { incident: *incident, carrier, envelope: vec![[0.0; 2]; grid.columns * grid.rows] };
+        let mut marcher = Marcher::new(&out, self.profile_m[0], grid, options);
+        let steps = &self.steps[marcher.refinement - 1];
+        marcher.start(&steps[0][0], options);
+        for column in 0..grid.columns {
+            if column > 0 {
+                let profile = [self.profile_m[column - 1], self.profile_m[column]];
+                marcher.march(&steps[column - 1], profile, options);
+                marcher.scale(&self.dissipation.factors_at(column, grid.columns));
+            }
+            for j in 0..grid.rows {
+                let at = marcher.envelope(j);
+                out.envelope[j * grid.columns + column] = [at.re as f32, at.im as f32];
+            }
+        }
+        out
     }
 }
 

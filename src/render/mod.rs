@@ -6,6 +6,7 @@
 mod drops;
 mod film;
 mod frame;
+mod frame_maps;
 mod land;
 mod reference;
 mod scene;
@@ -39,7 +40,7 @@ use drops::rain::RainUniform;
 use drops::spray::{SprayLevel, SprayUniform};
 use film::present::PresentPass;
 use film::tone::{TonePass, ToneUniform};
-use frame::{FrameCascade, FrameFoamGrid};
+use frame_maps::{FrameCascade, FrameFoamGrid};
 use land::map::LandUniform;
 use land::{LandPass, LandVertex};
 use scene_group::{SceneGroup, SceneResources};
@@ -55,7 +56,7 @@ use water::hull_images::{HullImage, HullSection};
 use water::hulls::{HullPass, HullVertex};
 use water::light::WaterPass;
 use water::material::NoiseLayer;
-use water::mesh::{Mesh, MeshLattice};
+use water::mesh::{self, Mesh, MeshLattice};
 use water::under::UnderPass;
 
 /// Structs that Rust and the renderer's shaders share; their WGSL declarations are made from these.
@@ -86,9 +87,6 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     ViewTile::DECLARATION,
     ViewUniform::DECLARATION,
 ];
-
-/// Number of pixels of a picture whose water mesh has the default number of vertices.
-const DEFAULT_MESH_PIXELS: f64 = 1280.0 * 720.0;
 
 /// A part of a frame that can be recorded alone, so that its GPU time can be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -233,6 +231,7 @@ impl Renderer {
         }
         self.prepare_land(gpu, scene);
         self.water.select_pipeline(gpu, scene);
+        self.eye.select_pipeline(gpu, scene);
         self.under.prepare(gpu, scene, &self.water);
         self.background.select_pipeline(gpu, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(gpu, maps);
@@ -268,8 +267,11 @@ impl Renderer {
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
             self.water.displace(encoder, &self.timer);
         }
-        let make = || FalseColourPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water);
-        let view = self.view_pass.get_or_insert_with(make);
+        let make = |has_coast| {
+            FalseColourPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water, has_coast)
+        };
+        self.view_pass.take_if(|view| view.has_coast != scene.has_coast);
+        let view = self.view_pass.get_or_insert_with(|| make(scene.has_coast));
         view.draw(gpu, (encoder, &self.timer), (maps, scene), &self.water, targets);
     }
 
@@ -353,7 +355,7 @@ impl Renderer {
 /// The water mesh for a picture of `size` (width, height) pixels. Its density depends on the size only in steps, so
 /// that a picture whose size changes a little, as the adaptive resolution does, keeps its lattice and index buffer.
 fn mesh_for_picture(view: &View, sea: &SeaAppearance, look: &Look, size: [u32; 2]) -> Mesh {
-    let density = look.mesh_detail * mesh_density(f64::from(size[0]) * f64::from(size[1]));
+    let density = look.mesh_detail * mesh::mesh_density(f64::from(size[0]) * f64::from(size[1]));
     Mesh::new(view, sea, density, look.extent_km)
 }
 
@@ -363,36 +365,7 @@ pub fn planned_mesh_vertices(view: &View, sea: &SeaAppearance, look: &Look, size
     (mesh.drawn_columns + 1) * mesh.lattice.rows
 }
 
-/// Number of vertices of the mesh for a picture of `pixels` pixels, divided by the default: powers of the square root
-/// of two. Up to [`DEFAULT_MESH_PIXELS`] it is in proportion to the pixels, because triangles much smaller than a pixel
-/// show nothing more. Above, it grows with the square root of their number, because waves are smooth. At an eighth of
-/// the default a mesh costs little, and a coarser one would lose waves that a small picture still shows.
-fn mesh_density(pixels: f64) -> f64 {
-    let relative = pixels / DEFAULT_MESH_PIXELS;
-    let density = relative.min(relative.sqrt()).clamp(0.125, 2.0);
-    2f64.powf(0.5 * (2.0 * density.log2()).round())
-}
-
 /// The frame uniform of a picture of `size` (width, height) pixels, for tests that call WGSL functions of the renderer.
 pub fn frame_uniform(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
     FrameUniform::new(scene, maps, &mesh_for_picture(&scene.view, &scene.sea, &scene.look, size), size)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn mesh_density_follows_the_pixels_in_steps() {
-        let density = |width: u32| mesh_density(f64::from(width * width) * 9.0 / 16.0);
-        assert!((density(1280) - 1.0).abs() < 1e-12);
-        assert!((density(640) - 0.25).abs() < 1e-12, "a quarter of the pixels has a quarter of the vertices");
-        assert!((density(5120) - 2.0).abs() < 1e-12);
-        assert!((density(160) - 0.125).abs() < 1e-12);
-        // From 320 to 1280 pixels of width the density grows eight times, in steps of the root of two.
-        let mut seen: Vec<f64> = (20..=80).map(|i| density(16 * i)).collect();
-        assert!(seen.is_sorted());
-        seen.dedup();
-        assert_eq!(seen.len(), 7, "{seen:?}");
-    }
 }

@@ -18,9 +18,10 @@ use super::losses::Dissipation;
 use super::options::Options;
 use grid::Grid;
 use matrix::{Water, assemble, difference};
-use nested::{Dissection, Factors, LANES, Stencil};
+use nested::{Dissection, Factorisation, Factors, LANES, Stencil};
 use reference::Profile;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Largest angle from straight shoreward of components that are solved, rad (85 degrees).
 pub const MAX_ANGLE_RAD: f64 = 1.484;
@@ -54,16 +55,21 @@ pub fn reflection_by_slope(bathymetry: &Bathymetry, hs_m: f64, wavelength_m: f64
 }
 
 /// Solves the elliptic mild-slope equation for the components of a sea, one band of frequencies after the other.
-pub struct EllipticSolver<'a> {
-    bathymetry: &'a Bathymetry,
+pub struct EllipticSolver {
+    bathymetry: Bathymetry,
     options: Options,
     grid: Grid,
-    dissection: Dissection,
+    dissection: Arc<Dissection>,
     open_depth_m: f64,
     profile_m: Vec<f64>,
     bins: Vec<Bin>,
     field: Field,
+    /// Number of bands whose components are all solved.
     solved: usize,
+    /// The band in progress, if there is one thread.
+    work: Option<BinWork>,
+    /// Components that are solved and were not yet taken.
+    ready: Vec<usize>,
 }
 
 /// Components of nearly one frequency.
@@ -72,11 +78,20 @@ struct Bin {
     members: Vec<usize>,
 }
 
-/// A frequency's matrices: factors, and what drives the scattered waves.
-struct Prepared<'a> {
-    factors: Factors<'a>,
-    /// The profile along each side that differs, the matrix of the coast minus that of the profile.
-    sides: Vec<(Profile, Stencil)>,
+/// Indices of components with their envelopes.
+type Solutions = Vec<(usize, Vec<[f32; 2]>)>;
+
+/// The profile along each side that differs, and the matrix of the coast minus that of the profile, which drives the
+/// scattered waves.
+type Sides = Vec<(Profile, Stencil)>;
+
+/// A band of frequencies in progress: its matrix is factorised, then its components are solved.
+struct BinWork {
+    sides: Sides,
+    factorisation: Option<Factorisation>,
+    factors: Option<Factors>,
+    /// Number of members that are solved.
+    solved: usize,
 }
 
 /// Solves the elliptic mild-slope equation for all `incident` waves. `dissipation` is that of the parabolic solution of
@@ -94,10 +109,10 @@ pub fn solve(
     solver.finish()
 }
 
-impl<'a> EllipticSolver<'a> {
+impl EllipticSolver {
     /// Prepares the solution.
     pub fn new(
-        bathymetry: &'a Bathymetry,
+        bathymetry: &Bathymetry,
         incident: &[Incident],
         dissipation: &Dissipation,
         reflection: &[f32],
@@ -116,45 +131,79 @@ impl<'a> EllipticSolver<'a> {
         let component = |incident: &Incident| ComponentField {
             incident: *incident,
             carrier: Carrier::new(incident, &profile_m, bathymetry.cell_m, options.gravity_m_s2),
-            envelope: vec![[0.0; 2]; bathymetry.columns * bathymetry.rows],
+            envelope: Vec::new(),
         };
         let components = incident.iter().map(component).collect();
         let (columns, rows, cell_m) = (bathymetry.columns, bathymetry.rows, bathymetry.cell_m);
         Self {
-            bathymetry,
+            bathymetry: bathymetry.clone(),
             options: *options,
-            dissection: Dissection::new(grid.columns, grid.rows),
+            dissection: Arc::new(Dissection::new(grid.columns, grid.rows)),
             grid,
             open_depth_m,
             profile_m,
             bins: bins(incident),
             field: Field { columns, rows, cell_m, components },
             solved: 0,
+            work: None,
+            ready: Vec::new(),
         }
     }
 
-    /// Solves as many bands of frequencies as there are threads. Returns the fraction of the work that is done, 1 at
-    /// the end.
+    /// Solves as many bands of frequencies as there are threads; with one thread, does some milliseconds of work. Returns
+    /// the fraction of the work that is done, 1 at the end.
     pub fn advance(&mut self) -> f64 {
         if self.solved >= self.bins.len() {
             return 1.0;
         }
-        let end = (self.solved + self.options.threads.max(1)).min(self.bins.len());
-        let bins = &self.bins[self.solved..end];
-        let this = &*self;
-        let solutions: Vec<Vec<(usize, Vec<[f32; 2]>)>> = if bins.len() > 1 {
-            std::thread::scope(|scope| {
-                let threads: Vec<_> = bins.iter().map(|bin| scope.spawn(move || this.solve_bin(bin))).collect();
-                threads.into_iter().map(|thread| thread.join().unwrap_or_default()).collect()
-            })
-        } else {
-            bins.iter().map(|bin| this.solve_bin(bin)).collect()
-        };
-        for (component, envelope) in solutions.into_iter().flatten() {
-            self.field.components[component].envelope = envelope;
+        if self.options.threads < 2 {
+            return self.advance_alone();
         }
+        let end = (self.solved + self.options.threads).min(self.bins.len());
+        let this = &*self;
+        let solutions: Vec<Solutions> = std::thread::scope(|scope| {
+            let threads: Vec<_> = (self.solved..end).map(|bin| scope.spawn(move || this.solve_bin(bin))).collect();
+            threads.into_iter().map(|thread| thread.join().unwrap_or_default()).collect()
+        });
+        self.keep(solutions.into_iter().flatten().collect());
         self.solved = end;
         self.solved as f64 / self.bins.len() as f64
+    }
+
+    /// Some milliseconds of work in the calling thread.
+    fn advance_alone(&mut self) -> f64 {
+        let mut work = match self.work.take() {
+            Some(work) => work,
+            None => self.begin(self.solved),
+        };
+        let solutions = self.step(self.solved, &mut work);
+        self.keep(solutions);
+        let members = self.bins[self.solved].members.len();
+        let mut part = 0.5 * f64::from(u8::from(work.factors.is_some())) + 0.5 * work.solved as f64 / members as f64;
+        if work.solved < members {
+            self.work = Some(work);
+        } else {
+            self.solved += 1;
+            part = 0.0;
+        }
+        (self.solved as f64 + part) / self.bins.len() as f64
+    }
+
+    fn keep(&mut self, solutions: Solutions) {
+        for (component, envelope) in solutions {
+            self.field.components[component].envelope = envelope;
+            self.ready.push(component);
+        }
+    }
+
+    /// The components that were solved since the last call, with their indices. They are missing in the field at the end.
+    pub fn take_solved(&mut self) -> Vec<(usize, ComponentField)> {
+        let components = &mut self.field.components;
+        let take = |index: usize| {
+            let envelope = std::mem::take(&mut components[index].envelope);
+            (index, ComponentField { envelope, ..components[index].clone() })
+        };
+        std::mem::take(&mut self.ready).into_iter().map(take).collect()
     }
 
     /// The solved field.
@@ -162,36 +211,24 @@ impl<'a> EllipticSolver<'a> {
         self.field
     }
 
-    /// Envelopes of the components of `bin`, with their indices.
-    fn solve_bin(&self, bin: &Bin) -> Vec<(usize, Vec<[f32; 2]>)> {
-        let omega = bin.omega_rad_s;
-        let k = LocalWave::new(omega, self.open_depth_m, self.options.gravity_m_s2).k;
-        let prepared = self.prepare(omega, k);
+    /// Envelopes of the components of a band, with their indices.
+    fn solve_bin(&self, bin: usize) -> Solutions {
+        let mut work = self.begin(bin);
         let mut out = Vec::new();
-        for members in bin.members.chunks(LANES) {
-            let waves: Vec<Incident> = members
-                .iter()
-                .map(|member| Incident { omega_rad_s: omega, ..self.field.components[*member].incident })
-                .collect();
-            let mut lanes = vec![[0.0; 2 * LANES]; self.grid.columns * self.grid.rows];
-            let mut open = Vec::new();
-            for (lane, wave) in waves.iter().enumerate() {
-                let (field, drive) = self.open_sea(&prepared, k, k * wave.direction_rad.sin());
-                for (x, drive) in lanes.iter_mut().zip(drive) {
-                    (x[lane], x[LANES + lane]) = (drive.re, drive.im);
-                }
-                open.push(field);
-            }
-            prepared.factors.solve(&mut lanes);
-            for (lane, (member, wave)) in members.iter().zip(&waves).enumerate() {
-                let carrier = Carrier::new(wave, &self.profile_m, self.bathymetry.cell_m, self.options.gravity_m_s2);
-                out.push((*member, self.envelope(&open[lane], &lanes, lane, wave, &carrier)));
-            }
+        while work.solved < self.bins[bin].members.len() {
+            out.extend(self.step(bin, &mut work));
         }
         out
     }
 
-    fn prepare(&self, omega: f64, k: f64) -> Prepared<'_> {
+    /// Wave number of a band in the open sea.
+    fn wave_number(&self, bin: usize) -> f64 {
+        LocalWave::new(self.bins[bin].omega_rad_s, self.open_depth_m, self.options.gravity_m_s2).k
+    }
+
+    /// Assembles the matrices of a band.
+    fn begin(&self, bin: usize) -> BinWork {
+        let (omega, k) = (self.bins[bin].omega_rad_s, self.wave_number(bin));
         let matrix = assemble(&self.grid, Water::Coast, omega, k, &self.options);
         let mut profiles: Vec<Profile> =
             [0, self.grid.rows - 1].map(|row| Profile::new(&self.grid, row, omega, &self.options)).into();
@@ -203,24 +240,61 @@ impl<'a> EllipticSolver<'a> {
             (profile, difference(&matrix, &straight))
         };
         let sides = profiles.into_iter().map(side).collect();
-        Prepared { factors: Factors::new(&self.dissection, &matrix), sides }
+        let factorisation = Some(Factorisation::new(&self.dissection, matrix));
+        BinWork { sides, factorisation, factors: None, solved: 0 }
+    }
+
+    /// Goes on with a band: factorises a part of its matrix, or solves some of its components, which it returns.
+    fn step(&self, bin: usize, work: &mut BinWork) -> Solutions {
+        if let Some(mut factorisation) = work.factorisation.take() {
+            if factorisation.step() < 1.0 {
+                work.factorisation = Some(factorisation);
+            } else {
+                work.factors = Some(factorisation.finish());
+            }
+            return Vec::new();
+        }
+        let Some(factors) = &work.factors else { return Vec::new() };
+        let (omega, k) = (self.bins[bin].omega_rad_s, self.wave_number(bin));
+        let members = &self.bins[bin].members[work.solved..];
+        let members = &members[..members.len().min(LANES)];
+        let waves: Vec<Incident> = members
+            .iter()
+            .map(|member| Incident { omega_rad_s: omega, ..self.field.components[*member].incident })
+            .collect();
+        let mut lanes = vec![[0.0; 2 * LANES]; self.grid.columns * self.grid.rows];
+        let mut open = Vec::new();
+        for (lane, wave) in waves.iter().enumerate() {
+            let (field, drive) = self.open_sea(&work.sides, k, k * wave.direction_rad.sin());
+            for (x, drive) in lanes.iter_mut().zip(drive) {
+                (x[lane], x[LANES + lane]) = (drive.re, drive.im);
+            }
+            open.push(field);
+        }
+        factors.solve(&mut lanes);
+        let mut out = Vec::new();
+        for (lane, (member, wave)) in members.iter().zip(&waves).enumerate() {
+            let carrier = Carrier::new(wave, &self.profile_m, self.bathymetry.cell_m, self.options.gravity_m_s2);
+            out.push((*member, self.envelope(&open[lane], &lanes, lane, wave, &carrier)));
+        }
+        work.solved += members.len();
+        out
     }
 
     /// The waves of the open sea of amplitude 1 over straight contours, blended between the two sides of the grid, and
     /// what they drive where the coast differs from that.
-    fn open_sea(&self, prepared: &Prepared<'_>, k: f64, ky: f64) -> (Vec<Complex>, Vec<Complex>) {
+    fn open_sea(&self, sides: &Sides, k: f64, ky: f64) -> (Vec<Complex>, Vec<Complex>) {
         let (columns, rows) = (self.grid.columns, self.grid.rows);
         let mut field = vec![Complex::ZERO; columns * rows];
         let mut drive = field.clone();
-        for (side, (profile, difference)) in prepared.sides.iter().enumerate() {
+        for (side, (profile, difference)) in sides.iter().enumerate() {
             let along_x = profile.amplitude(ky, &self.options);
             let leaving = profile.continued(&along_x, ky, k, &self.grid);
             let mut part = vec![Complex::ZERO; columns * rows];
             for j in 0..rows {
                 let y = (j as f64 - self.grid.first[1] as f64) * self.grid.cell_m;
                 let turn = Complex::polar(1.0, ky * y);
-                let [weight, slope, curvature] =
-                    if prepared.sides.len() == 1 { [1.0, 0.0, 0.0] } else { self.blend(j, side) };
+                let [weight, slope, curvature] = if sides.len() == 1 { [1.0, 0.0, 0.0] } else { self.blend(j, side) };
                 for i in 0..columns {
                     let wave = along_x[i] * turn;
                     part[j * columns + i] = wave * weight;

@@ -5,6 +5,7 @@
 //! n points takes about 10 n^3 multiplications and 8 n^2 log2(n) stored numbers instead of the n^4 and n^3 of a band.
 
 use crate::coast::complex::Complex;
+use std::sync::Arc;
 
 /// Number of right-hand sides that are solved together.
 pub(super) const LANES: usize = 8;
@@ -126,9 +127,12 @@ impl Dissection {
     }
 }
 
+/// Multiplications of a step of [`Factorisation`], some milliseconds of work.
+const STEP_PRODUCTS: usize = 4_000_000;
+
 /// The factors L D L^T of a matrix.
-pub(super) struct Factors<'a> {
-    dissection: &'a Dissection,
+pub(super) struct Factors {
+    dissection: Arc<Dissection>,
     /// For each front, the reciprocals of its pivots and the columns of L below the diagonal, one after the other.
     pivots: Vec<Vec<Complex>>,
     lower: Vec<Vec<Complex>>,
@@ -225,35 +229,64 @@ impl Dense {
     }
 }
 
-impl<'a> Factors<'a> {
-    /// Factorises `matrix` without exchanging rows: absorbing borders keep the pivots away from 0.
-    pub(super) fn new(dissection: &'a Dissection, matrix: &Stencil) -> Self {
-        let mut out = Self { dissection, pivots: Vec::new(), lower: Vec::new() };
-        let mut local = vec![usize::MAX; dissection.place.len()];
-        let mut complements: Vec<Option<Dense>> = Vec::new();
-        for front in &dissection.fronts {
-            for (index, point) in front.points.iter().enumerate() {
-                local[*point] = index;
-            }
-            let mut dense = Dense::zeros(front.points.len());
-            out.add_entries(front, matrix, &local, &mut dense);
-            for child in &front.children {
-                let Some(complement) = complements[*child].take() else { continue };
-                let child = &dissection.fronts[*child];
-                for a in child.own..child.points.len() {
-                    for b in a..child.points.len() {
-                        dense.add(local[child.points[a]], local[child.points[b]], complement.at(a, b));
-                    }
-                }
-            }
-            let (pivots, lower) = dense.eliminate(front.own);
-            out.pivots.push(pivots);
-            out.lower.push(lower);
-            complements.push(Some(dense));
-        }
-        out
+/// A matrix that is being factorised.
+pub(super) struct Factorisation {
+    matrix: Stencil,
+    factors: Factors,
+    /// Place of each point in the present front.
+    local: Vec<usize>,
+    /// What each front leaves for its parent.
+    complements: Vec<Option<Dense>>,
+}
+
+impl Factorisation {
+    /// Prepares the factorisation of `matrix` without exchanging rows: absorbing borders keep the pivots away from 0.
+    pub(super) fn new(dissection: &Arc<Dissection>, matrix: Stencil) -> Self {
+        let factors = Factors { dissection: dissection.clone(), pivots: Vec::new(), lower: Vec::new() };
+        Self { matrix, factors, local: vec![usize::MAX; dissection.place.len()], complements: Vec::new() }
     }
 
+    /// Eliminates some fronts. Returns the fraction that is done, 1 at the end.
+    pub(super) fn step(&mut self) -> f64 {
+        let dissection = self.factors.dissection.clone();
+        let mut products = 0;
+        while self.complements.len() < dissection.fronts.len() && products < STEP_PRODUCTS {
+            let front = &dissection.fronts[self.complements.len()];
+            self.eliminate(&dissection, front);
+            products += front.own * front.points.len() * front.points.len();
+        }
+        self.complements.len() as f64 / dissection.fronts.len() as f64
+    }
+
+    /// The factors, after the last step.
+    pub(super) fn finish(self) -> Factors {
+        self.factors
+    }
+
+    fn eliminate(&mut self, dissection: &Dissection, front: &Front) {
+        for (index, point) in front.points.iter().enumerate() {
+            self.local[*point] = index;
+        }
+        let mut dense = Dense::zeros(front.points.len());
+        self.factors.add_entries(front, &self.matrix, &self.local, &mut dense);
+        for child in &front.children {
+            let Some(complement) = self.complements[*child].take() else { continue };
+            let child = &dissection.fronts[*child];
+            let places: Vec<usize> = child.points.iter().map(|point| self.local[*point]).collect();
+            for a in child.own..child.points.len() {
+                for b in a..child.points.len() {
+                    dense.add(places[a], places[b], complement.at(a, b));
+                }
+            }
+        }
+        let (pivots, lower) = dense.eliminate(front.own);
+        self.factors.pivots.push(pivots);
+        self.factors.lower.push(lower);
+        self.complements.push(Some(dense));
+    }
+}
+
+impl Factors {
     /// Adds the entries of `matrix` between the points that `front` eliminates and all that come later.
     fn add_entries(&self, front: &Front, matrix: &Stencil, local: &[usize], dense: &mut Dense) {
         let (columns, rows) = (self.dissection.columns, self.dissection.rows);
@@ -342,8 +375,10 @@ mod tests {
                 (lane[2], lane[LANES + 2]) = (value.re, value.im);
                 (lane[5], lane[LANES + 5]) = (-2.0 * value.im, 2.0 * value.re);
             }
-            let dissection = Dissection::new(columns, rows);
-            Factors::new(&dissection, &matrix).solve(&mut lanes);
+            let dissection = Arc::new(Dissection::new(columns, rows));
+            let mut factorisation = Factorisation::new(&dissection, matrix);
+            while factorisation.step() < 1.0 {}
+            factorisation.finish().solve(&mut lanes);
             for (lane, x) in lanes.iter().zip(&x) {
                 assert!((lane[2] - x.re).abs() + (lane[LANES + 2] - x.im).abs() < 1e-9);
                 assert!((lane[5] + 2.0 * x.im).abs() + (lane[LANES + 5] - 2.0 * x.re).abs() < 1e-9);

@@ -12,11 +12,27 @@
 //! shore. Its phase at column x and row y (m) is `column_phase_rad`(x) + `ky_rad_m` y. Between the points of the grid,
 //! envelopes and phases are linear.
 
+mod envelopes;
+mod evaluate;
+mod groups;
+mod half_float;
+mod points;
+mod setup;
+mod shore;
+mod solver;
+mod swash;
+#[cfg(test)]
+mod tests;
+
+use super::breaking::Losses;
 use super::incident::Placement;
+use super::options::Options;
+pub use evaluate::{CoastalGains, CoastalSums, CoastalWaves};
+pub use solver::TransferSolver;
 
 /// Transfer functions of a coast on a grid in its frame. Point (column i, row j) lies at x = i `cell_m` and y = j
 /// `cell_m` of the frame that `placement` puts into the world.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Transfer {
     /// Place of the frame of the coast in the world: x axis shoreward, y axis 90 degrees clockwise from it.
     pub placement: Placement,
@@ -37,6 +53,39 @@ pub struct Transfer {
     pub envelopes: Vec<u32>,
     /// What else is known at each point: \[row\]\[column\].
     pub points: Vec<SeaAtPoint>,
+}
+
+/// Limits of a transfer, and how it is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TransferLimits {
+    /// Largest number of waves.
+    pub max_waves: usize,
+    /// Largest size of the envelopes, bytes.
+    pub max_bytes: usize,
+    /// Largest number of groups.
+    pub max_groups: usize,
+    /// Number of points along the longer side.
+    pub points: usize,
+    /// Number of points along the longer side where there are structures: the envelopes of reflected waves turn quickly.
+    pub points_with_structures: usize,
+    /// Energy losses.
+    pub losses: Losses,
+    /// Number of threads; one where the system has no threads.
+    pub threads: usize,
+}
+
+impl Default for TransferLimits {
+    fn default() -> Self {
+        Self {
+            max_waves: 500,
+            max_bytes: 64 << 20,
+            max_groups: 64,
+            points: 128,
+            points_with_structures: 192,
+            losses: Losses::default(),
+            threads: Options::default().threads,
+        }
+    }
 }
 
 /// Identifies a lattice of wave vectors with its random numbers.

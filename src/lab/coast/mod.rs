@@ -8,12 +8,12 @@ mod table;
 
 pub use gauges::{Gauge, Gauges};
 
-use crate::coast::approach::approach;
 use crate::coast::elliptic;
 use crate::coast::incident::{spectrum_bins, strongest_waves};
+pub use crate::coast::open_sea::Solver;
+use crate::coast::open_sea::{Arrival, MAX_OPEN_ANGLE_RAD, foreshore_slope, reflection};
 use crate::coast::parabolic;
 use crate::coast::runup::RunUp;
-use crate::coast::structure::reflection_at;
 use crate::coast::{Field, Incident, Options, PlacedCoast, SeaMaps};
 use crate::state::{Params, query};
 use crate::waves::Plan;
@@ -23,10 +23,6 @@ use std::f64::consts::TAU;
 /// Bins of frequency and of direction that stand for the sea in maps of statistics.
 const FREQUENCY_BINS: usize = 16;
 const DIRECTION_BINS: usize = 35;
-/// Largest angle from straight shoreward, rad, of waves in the open sea (85 degrees).
-const MAX_OPEN_ANGLE_RAD: f64 = 1.484;
-/// Depth, m, that counts for a sea without a bed.
-const DEEP_M: f64 = 1e5;
 /// Points per wave that the surface is drawn with at least.
 const MIN_POINTS_PER_WAVE: f64 = 5.0;
 
@@ -39,25 +35,6 @@ pub struct CoastSettings {
     pub wave_count: usize,
     /// Which equation is solved; `None` lets the coast decide: the elliptic one where there are structures.
     pub solver: Option<Solver>,
-}
-
-/// An equation of the waves over a coast (docs/design/coast.md).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Solver {
-    /// The parabolic mild-slope equation: waves that travel shoreward. Structures absorb them.
-    Parabolic,
-    /// The elliptic mild-slope equation: waves in all directions, which structures and steep shores reflect.
-    Elliptic,
-}
-
-impl Solver {
-    /// Largest angle from straight shoreward of the waves that are solved, rad.
-    fn max_angle_rad(self) -> f64 {
-        match self {
-            Self::Parabolic => parabolic::MAX_ANGLE_RAD,
-            Self::Elliptic => elliptic::MAX_ANGLE_RAD,
-        }
-    }
 }
 
 /// The sea before the coast.
@@ -110,14 +87,9 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
     let plan = Plan::new(params);
     let gravity_m_s2 = plan.sea.gravity_m_s2;
     let options = Options { gravity_m_s2, ..Options::default() };
-    let open_depth_m = if plan.dispersion.depth_m().is_finite() { plan.dispersion.depth_m() } else { DEEP_M };
-    let edge_m = edge_depth_m(&coast);
-    let by_coast = if coast.structures.is_empty() { Solver::Parabolic } else { Solver::Elliptic };
-    let solver = settings.solver.unwrap_or(by_coast);
-    let arriving = |waves: Vec<Incident>| -> Vec<Incident> {
-        let arrive = waves.iter().filter_map(|wave| approach(wave, open_depth_m, edge_m, gravity_m_s2));
-        arrive.filter(|wave| wave.direction_rad.abs() < solver.max_angle_rad()).collect()
-    };
+    let solver = settings.solver.unwrap_or_else(|| Solver::of(&coast));
+    let arrival = Arrival::new(&plan, &coast, solver);
+    let arriving = |waves: Vec<Incident>| waves.iter().filter_map(|wave| arrival.arriving(wave)).collect::<Vec<_>>();
     let bins = spectrum_bins(&plan, coast.turn_rad(), FREQUENCY_BINS, DIRECTION_BINS, MAX_OPEN_ANGLE_RAD);
     let shoreward_m2: f64 = bins.iter().map(Incident::variance_m2).sum();
     let bins = arriving(bins);
@@ -138,7 +110,7 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
     };
     // Waves break together, which the parabolic equation finds out on their way.
     let (marched, dissipation) = parabolic::solve(&coast.bathymetry, &bins, &options);
-    let reflection = reflection(&coast, &open, gravity_m_s2);
+    let reflection = reflection(&coast, open.hs_m, open.tp_s, gravity_m_s2);
     let solve = |waves: &[Incident], marched: Option<Field>| match (solver, marched) {
         (Solver::Parabolic, Some(field)) => field,
         (Solver::Parabolic, None) => parabolic::solve(&coast.bathymetry, waves, &options).0,
@@ -163,27 +135,6 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
     Ok(CoastSea { state: query::write(params), coast, open, maps, surface_m, gauges, run_up })
 }
 
-/// Reflection coefficient of each point of land: that of a structure beside it, else by the slope of the shore.
-fn reflection(coast: &PlacedCoast, open: &OpenSea, gravity_m_s2: f64) -> Vec<f32> {
-    let wavelength_m = gravity_m_s2 * open.tp_s * open.tp_s / TAU;
-    let mut list = elliptic::reflection_by_slope(&coast.bathymetry, open.hs_m, wavelength_m);
-    let grid = &coast.bathymetry;
-    for (index, value) in list.iter_mut().enumerate().filter(|(index, _)| grid.depth_m[*index] <= 0.0) {
-        let [x, y] = [index % grid.columns, index / grid.columns].map(|i| i as f64 * grid.cell_m);
-        if let Some(of_structure) = reflection_at(&coast.structures, x, y, grid.cell_m) {
-            *value = of_structure as f32;
-        }
-    }
-    list
-}
-
-/// Mean depth of the water at the side that faces the open sea, m.
-fn edge_depth_m(coast: &PlacedCoast) -> f64 {
-    let grid = &coast.bathymetry;
-    let wet: Vec<f64> = (0..grid.rows).map(|j| grid.at(0, j)).filter(|depth_m| *depth_m > 0.5).collect();
-    wet.iter().sum::<f64>() / wet.len().max(1) as f64
-}
-
 /// Elevation of the surface (m) at all points; 0 on land.
 fn surface(coast: &PlacedCoast, waves: &Field, t_s: f64) -> Vec<f32> {
     let grid = &coast.bathymetry;
@@ -202,19 +153,6 @@ fn waves_at(field: &Field, [i, j]: [usize; 2]) -> Vec<[f64; 3]> {
         [amplitude.modulus(), amplitude.argument(), field.components[c].incident.omega_rad_s]
     };
     (0..field.components.len()).map(at).collect()
-}
-
-/// Median slope of the shore where the first land from the sea meets the water, height over length, between the points on
-/// both sides of the waterline. `None` if there is none.
-fn foreshore_slope(coast: &PlacedCoast) -> Option<f64> {
-    let grid = &coast.bathymetry;
-    let slope = |j: usize| {
-        let land = (1..grid.columns).find(|i| grid.at(*i, j) <= 0.0)?;
-        Some((grid.at(land - 1, j) - grid.at(land, j)) / grid.cell_m)
-    };
-    let mut slopes: Vec<f64> = (0..grid.rows).filter_map(slope).collect();
-    slopes.sort_by(f64::total_cmp);
-    slopes.get(slopes.len() / 2).map(|slope| slope.clamp(0.005, 0.5))
 }
 
 impl CoastSea {

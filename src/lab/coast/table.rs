@@ -1,6 +1,7 @@
 //! The table of a sea over a coast: the open sea, the sea at several depths, the gauges, and the run-up.
 
 use super::{CoastSea, compass_point};
+use crate::coast::open_sea::edge_depth_m;
 use std::fmt;
 
 /// Depths of the lines of the table, m.
@@ -46,7 +47,7 @@ impl CoastSea {
     pub fn at_edge(&self) -> Option<SeaAtDepth> {
         let grid = &self.coast.bathymetry;
         let wet = (0..grid.rows).filter(|j| grid.at(0, *j) > 0.5).map(|j| (j * grid.columns, 0.0));
-        self.mean(super::edge_depth_m(&self.coast), wet)
+        self.mean(edge_depth_m(&self.coast), wet)
     }
 
     /// The mean sea at places: each the index of a point, and how far the place lies on the way to the next column.

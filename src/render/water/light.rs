@@ -34,6 +34,8 @@ pub struct WaterLightVariant {
     /// Whether waves focus sunlight into caustics on the bed.
     caustics: bool,
     foam: bool,
+    /// Whether the sea runs up to a coast.
+    coast: bool,
     /// Whether gusts and slicks vary the roughness of the water.
     gusts: bool,
     /// Whether the sun's glitter consists of separate glints.
@@ -83,6 +85,7 @@ impl WaterLightVariant {
             land: scene.land.is_some(),
             caustics: bed && surface.bed.caustics > 0.0,
             foam: surface.foam.coverage_factor > 0.0,
+            coast: scene.has_coast,
             gusts: surface.reflection.gusts > 0.0,
             glints: surface.reflection.glints && output != OutputKind::Reference,
             shadows: casts_shadows(scene.look.sky.sun_elevation_azimuth_deg()[0], scene.sea.resolved_slope_variance),
@@ -106,6 +109,7 @@ impl WaterLightVariant {
             switch_constant("WATER_LAND", self.land),
             switch_constant("WATER_CAUSTICS", self.caustics),
             switch_constant("WATER_FOAM", self.foam),
+            switch_constant("WATER_COAST", self.coast),
             switch_constant("WATER_GUSTS", self.gusts),
             switch_constant("WATER_GLINTS", self.glints),
             switch_constant("WATER_SHADOWS", self.shadows),
@@ -190,6 +194,7 @@ impl WaterPass {
             TextureView(&maps.foam),
             Sampler(&self.samplers[0]),
             Sampler(&self.samplers[1]),
+            TextureView(maps.coast.as_ref().map_or(&maps.no_coast, |coast| &coast.gains)),
         ];
         self.bound_maps = Some((maps.view_generation, gpu.bind_group("maps", &self.maps_layout, &resources)));
     }
@@ -209,6 +214,7 @@ impl WaterPass {
         let (gpu, module, format) = (gpu.clone(), self.module.clone(), self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout].map(Clone::clone);
         let parts = WaterLightVariant::new(scene, self.scene.output);
+        self.mesh.select_pipeline(&gpu, scene.has_coast);
         self.light_pipelines.select(parts, scene.may_keep_pipelines, move || {
             let program = RenderProgram {
                 module: &module,
@@ -220,7 +226,7 @@ impl WaterPass {
         });
     }
 
-    /// Layout of the bind group of the maps: displacement, gradients, slope moments, foam, two samplers.
+    /// Layout of the bind group of the maps: displacement, gradients, slope moments, foam, two samplers, gains of a coast.
     pub fn maps_layout(&self) -> &wgpu::BindGroupLayout {
         &self.maps_layout
     }

@@ -1,0 +1,103 @@
+//! Where the waves go on beyond the water that the solvers treat: over the shallowest water, and up the beach.
+
+use crate::coast::bathymetry::Bathymetry;
+
+/// The points of a shore, those nearest to the open water first.
+pub(super) struct Shore {
+    pub(super) places: Vec<Place>,
+}
+
+/// A point of the shore.
+pub(super) struct Place {
+    /// Its index.
+    pub(super) point: usize,
+    /// Points around it that are nearer to the open water, from which its waves come.
+    pub(super) sources: Vec<Source>,
+}
+
+/// A point from which waves come.
+pub(super) struct Source {
+    pub(super) point: usize,
+    /// Its share; the shares of all sources add up to 1.
+    pub(super) weight: f64,
+    /// Its distance, m.
+    pub(super) distance_m: f64,
+}
+
+impl Shore {
+    /// The shore of a grid: water shallower than `least_depth_m` (m), land that is at most `reach_m` (m) high, and the
+    /// first points of higher land, between which and the water the waves are interpolated.
+    pub(super) fn new(grid: &Bathymetry, least_depth_m: f64, reach_m: f64) -> Self {
+        let mut is_reached: Vec<bool> = grid.depth_m.iter().map(|h| f64::from(*h) >= least_depth_m).collect();
+        let mut places = Vec::new();
+        loop {
+            let mut layer = Vec::new();
+            for point in (0..is_reached.len()).filter(|point| !is_reached[*point]) {
+                let is_low = |at: usize| f64::from(grid.depth_m[at]) > -reach_m;
+                let can_come = |at: &usize| is_reached[*at] && (is_low(*at) || is_low(point));
+                let around: Vec<usize> = neighbours(grid, point).filter(can_come).collect();
+                if !around.is_empty() {
+                    layer.push(Place { point, sources: sources(grid, point, &around) });
+                }
+            }
+            if layer.is_empty() {
+                return Self { places };
+            }
+            layer.iter().for_each(|place| is_reached[place.point] = true);
+            places.extend(layer);
+        }
+    }
+
+    /// Continues a map over the land of the shore by the means of the sources.
+    pub(super) fn continue_map(&self, grid: &Bathymetry, map: &mut [f64]) {
+        for place in self.places.iter().filter(|place| grid.depth_m[place.point] <= 0.0) {
+            map[place.point] = place.sources.iter().map(|source| source.weight * map[source.point]).sum();
+        }
+    }
+}
+
+/// The indices of the up to eight points around a point.
+pub(super) fn neighbours(grid: &Bathymetry, point: usize) -> impl Iterator<Item = usize> + use<> {
+    let (columns, rows) = (grid.columns, grid.rows);
+    let (i, j) = (point % columns, point / columns);
+    (j.saturating_sub(1)..(j + 2).min(rows))
+        .flat_map(move |y| (i.saturating_sub(1)..(i + 2).min(columns)).map(move |x| y * columns + x))
+        .filter(move |at| *at != point)
+}
+
+/// The shares of the points `around`: a nearer one counts for more.
+fn sources(grid: &Bathymetry, point: usize, around: &[usize]) -> Vec<Source> {
+    let distance = |at: usize| {
+        let is_diagonal = at % grid.columns != point % grid.columns && at / grid.columns != point / grid.columns;
+        if is_diagonal { std::f64::consts::SQRT_2 } else { 1.0 }
+    };
+    let sum: f64 = around.iter().map(|at| distance(*at).powi(-2)).sum();
+    let source = |at: &usize| Source {
+        point: *at,
+        weight: distance(*at).powi(-2) / sum,
+        distance_m: distance(*at) * grid.cell_m,
+    };
+    around.iter().map(source).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A beach of 1 in 10 with a cliff at its upper half: the low beach is reached row by row, the cliff only at its edge.
+    #[test]
+    fn the_shore_reaches_from_shallow_water_up_to_the_run_up() {
+        let grid = Bathymetry::from_fn(30, 12, 5.0, |x, y| if y < 30.0 { 5.0 - 0.1 * x } else { 5.0 - 0.1 * x - 9.0 });
+        let shore = Shore::new(&grid, 1.0, 2.0);
+        let place = |i: usize, j: usize| shore.places.iter().position(|place| place.point == j * 30 + i);
+        // Depths of row 2: 1.0 at column 8, 0.5 at 9, 0 at 10, -2 at 14, -2.5 at 15.
+        assert!(place(8, 2).is_none() && place(9, 2).is_some() && place(9, 2) < place(10, 2));
+        assert!(place(13, 2).is_some() && place(14, 2).is_some() && place(15, 2).is_none());
+        // The cliff is 4 m high at the sea's edge of the grid: only its first row beside the water is reached.
+        assert!(place(3, 6).is_some() && place(3, 7).is_none());
+        for place in &shore.places {
+            let sum: f64 = place.sources.iter().map(|source| source.weight).sum();
+            assert!((sum - 1.0).abs() < 1e-12 && !place.sources.is_empty());
+        }
+    }
+}
