@@ -65,6 +65,7 @@ fn points(gpu: &Gpu, shaders: &Shaders, state: &str, count: u32) -> Vec<Point> {
             (3, TextureView(&maps.foam)),
             (4, Sampler(&samplers[0])),
             (5, Sampler(&samplers[1])),
+            (6, TextureView(&maps.no_coast)),
         ],
     );
     let place = |i: u32, axis: usize| (f64::from(noise::pcg4d([i, 7, 3, 5])[axis]) / 4_294_967_296.0 - 0.5) * 120.0;

@@ -13,8 +13,9 @@ use counter::Count;
 use half::f16;
 use instrument::{Instrumented, Shown};
 use naga::TypeInner;
-use seastate::bench::cost::{self, ShaderCost};
+use seastate::bench::cost::{self, CoastSizes, ShaderCost};
 use seastate::gpu::kit::BindingType;
+use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::offscreen::PendingPicture;
 use seastate::gpu::{Gpu, readback};
 use seastate::ocean::passes::planned_vertex_count;
@@ -111,6 +112,7 @@ fn displacement(gpu: &Gpu, ocean: &Ocean) -> Executed {
         ((1, 3), TextureView(&maps.foam)),
         ((1, 4), Sampler(&samplers[0])),
         ((1, 5), Sampler(&samplers[1])),
+        ((1, 6), TextureView(&maps.no_coast)),
         ((2, 0), sums.as_entire_binding()),
     ];
     let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
@@ -258,6 +260,37 @@ fn the_costs_of_copying_and_enlarging_are_what_they_execute() {
         ("COPY_FRAGMENT_COST", of_pixels(&present, &copied, 100), cost::COPY_FRAGMENT_COST),
         ("ENLARGE_FRAGMENT_COST", of_pixels(&present, &enlarged, 100), cost::ENLARGE_FRAGMENT_COST),
     ]);
+}
+
+/// Cost of a pass of a coast in a thread whose loop runs once.
+fn with_one_turn(module: &str, of_loop: &str) -> Count {
+    let once = text(module).replace(of_loop, "{ let i = 0u; let g = 0u;");
+    assert!(!once.contains("for ("), "{module} has another loop");
+    let (parsed, info) = instrument::parse(&once);
+    counter::without_loops(&parsed, &info, "main")
+}
+
+#[test]
+fn the_costs_of_the_waves_at_a_coast_are_what_they_execute() {
+    const N: u32 = 64;
+    let texels = f64::from(N * N);
+    let of = |waves: u32, points: u32, groups: u32| {
+        cost::coast_pass_cost(N, CoastSizes { waves, points, groups }, MapFormat::Half)
+    };
+    let none = of(0, 0, 0);
+    let per_wave = of(1, 1, 0).flops - none.flops;
+    let per_group = (of(0, 0, 1).flops - none.flops) / texels;
+    let more = cost::row_and_column_pass_cost(N, 1, MapFormat::Half) + cost::mip_pass_cost(N, 2, MapFormat::Half);
+    let per_texel = (none.flops - more.flops) / texels;
+    let envelopes = with_one_turn("coast/envelopes", "for (var i = 0u; i < of_group.y; i++) {");
+    let sum = with_one_turn("coast/sum", "for (var g = 0u; g < coast.group_count; g++) {");
+    let gradients = with_one_turn("coast/gradients", "no loop");
+    eprintln!("{envelopes:?} {sum:?} {gradients:?}; {per_wave} {per_group} {per_texel}");
+    let is_near = |counted: f64, known: f64| (counted / known - 1.0).abs() < 0.05;
+    assert!(is_near(sum.ops + gradients.ops, per_group + per_texel), "{sum:?} {gradients:?}");
+    assert!((envelopes.ops - per_wave).abs() < 10.0, "besides, a thread of the envelopes finds its point");
+    let reads = (of(0, 0, 1).reads - more.reads) / texels;
+    assert_eq!(sum.reads + gradients.reads, reads);
 }
 
 #[test]

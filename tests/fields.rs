@@ -74,6 +74,11 @@ const NEEDS: &[(&str, &str, &str)] = &[
     ("foamrelief", "y=3&pitch=-30&wind=26&overcast=0", ""),
     ("extent", "", "0.5"),
     ("camera", "", "buoy"),
+    // The beach lies 580 m east of the origin.
+    ("coast", "x=560&heading=60&y=12", "beach"),
+    ("coastx", "x=560&heading=60&y=12&coast=beach", "400"),
+    ("coastz", "x=560&heading=60&y=12&coast=bar", "300"),
+    ("coastturn", "x=560&heading=60&y=12&coast=beach", "40"),
     ("caustics", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
     ("bedcover", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),
     ("bedcolour", "sun=60&overcast=0&depth=4&wind=6&pitch=-30", ""),

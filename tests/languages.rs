@@ -1,6 +1,7 @@
 //! The translations of the interface: each language has every text that the program can show, with the same places for
 //! values, and characters that the fonts can draw.
 
+use seastate::coast::built_in::BUILT_IN;
 use seastate::state::fields::FIELDS;
 use seastate::state::floats::FloatingObjectKind;
 use seastate::state::motion::CAMERA_VIEWS;
@@ -70,6 +71,7 @@ fn english_texts() -> BTreeSet<String> {
     for view in CAMERA_VIEWS {
         texts.extend([view.name.to_owned(), view.about.to_owned()]);
     }
+    texts.extend(BUILT_IN.iter().map(|coast| coast.about.to_owned()));
     for preset in presets::built_in() {
         texts.extend([preset.name.clone(), preset.about.clone()]);
     }

@@ -90,6 +90,36 @@ fn other_seas_agree_with_the_oracle() {
     }
 }
 
+#[test]
+fn the_waves_at_a_coast_agree_with_the_oracle() {
+    for (n, kind) in [(64, GPU), (128, GPU), (64, SOFTWARE), (64, LLVMPIPE), (128, LLVMPIPE)] {
+        assert_right(&format!("wind=10&fetch=100&t=20&coast=beach&n={n}"), kind);
+    }
+}
+
+#[test]
+fn a_fault_in_the_waves_at_a_coast_is_found() {
+    for (module, from, to, red) in [
+        ("coast/phasors", "a.x * cs.x + a.y * cs.y", "a.x * cs.x + 1.01 * a.y * cs.y", "coast displacement"),
+        ("coast/envelopes", "potential += phasor.z", "potential += 1.01 * phasor.z", "coast gradients"),
+        ("coast/sum", "2.0 * z.x + known.x", "2.02 * z.x + known.x", "coast displacement"),
+        ("coast/sum", "let turns = beyond", "let turns = 1.01 * beyond", "coast displacement"),
+        ("coast/sum", "vec2f(0.82, 0.57)", "vec2f(0.87, 0.49)", "coast rollers"),
+        (
+            "coast/gradients",
+            "(8.0 * near - far) / 12.0;\n}\n\nfn",
+            "(8.08 * near - far) / 12.0;\n}\n\nfn",
+            "coast gradients",
+        ),
+        ("coast/gradients", "let height = coast", "let height = 1.01 * coast", "coast displacement"),
+    ] {
+        let shaders = Shaders::default().patched(module, from, to);
+        let lines = run("wind=15&fetch=300&t=5&n=64&coast=beach", LLVMPIPE, shaders);
+        let found = lines.iter().filter(|l| !l.passes()).map(|l| l.pass_and_quantity).collect::<Vec<_>>();
+        assert!(found.contains(&red), "\"{to}\" in {module} went unseen: {found:?}");
+    }
+}
+
 /// One fault of 1 % in each kernel: the adapter, the module, the text that is replaced, its replacement, and the
 /// beginning of a line that must fail.
 const FAULTS: &[(Kind, &str, &str, &str, &str)] = &[

@@ -7,15 +7,18 @@ const pixels = (style, side) => parseFloat(style.getPropertyValue(`--safe-${side
 
 let known = ''; // the safe area that the program has
 
+/** The program, unless the page shows why it does not run: then nothing may be asked of it. */
+const program = () => (document.body.dataset.rung ? undefined : window.seastate);
+
 /** Tells the program the safe area of the screen, which style.css takes from the browser. */
 function measure() {
-  const sea = window.seastate;
+  const sea = program();
   if (!sea) return;
   const style = getComputedStyle(document.documentElement);
   const sides = ['top', 'right', 'bottom', 'left'].map((side) => pixels(style, side));
   if (String(sides) === known) return;
-  sea.set_safe_area(...sides);
-  known = String(sides);
+  // Until the program has started, it takes nothing, and is told again.
+  if (sea.set_safe_area(...sides)) known = String(sides);
 }
 
 setInterval(measure, EVERY_MS);
@@ -25,8 +28,8 @@ const Orientation = window.DeviceOrientationEvent;
 const offering = setInterval(() => {
   if (!Orientation || !matchMedia('(pointer: coarse)').matches) {
     clearInterval(offering);
-  } else if (window.seastate?.has_first_picture()) {
-    window.seastate.offer_tilt();
+  } else if (program()?.has_first_picture()) {
+    program().offer_tilt();
     clearInterval(offering);
   }
 }, EVERY_MS);
@@ -38,12 +41,12 @@ function follow({ alpha, beta, gamma }) {
   // A device without sensors sends one event without angles.
   if (beta === null || gamma === null) return;
   clearTimeout(silence);
-  window.seastate?.follow_tilt(alpha ?? 0, beta, gamma);
+  program()?.follow_tilt(alpha ?? 0, beta, gamma);
 }
 
 function refuse() {
   stop();
-  window.seastate?.refuse_tilt();
+  program()?.refuse_tilt();
 }
 
 function stop() {
@@ -60,7 +63,7 @@ let permission; // the answer to the question that a tap on the program's button
 addEventListener(
   'touchend',
   (event) => {
-    const button = window.seastate?.tilt_button();
+    const button = program()?.tilt_button();
     const finger = event.changedTouches[0];
     if (!button || !finger) return;
     const [x, y, width, height] = button;

@@ -16,14 +16,40 @@
 @group(0) @binding(4) var repeating_sampler: sampler;
 @group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x][foam, front, plume]
 @group(0) @binding(6) var foam_out: texture_storage_2d_array<rgba16float, write>;
+// With a coast: factors of the layers over its square, and rollers of waves that break there.
+@group(0) @binding(7) var gains_map: texture_2d<f32>;
+@group(0) @binding(8) var rollers_map: texture_2d<f32>;
+
+// Whether the sea runs up to a coast.
+override FOAM_COAST: bool = false;
 
 // Largest stored excess over the breaking criterion.
 const FOAM_MOST_EXCESS = 6.0;
 
-// Jacobian of the displaced surface at an offset, m, from a level's corner, with the blend of water/surface.wgsl.
-fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
+// Factors of ordinary cascades, offshore waves and waves at the coast (x, y, z) at an offset, m, from a level's corner.
+fn foam_coast_gains(level: u32, offset: vec2f) -> vec3f {
+  let map = foam.levels[level];
+  let half_texel = 0.5 / vec2f(textureDimensions(gains_map));
+  let uv = clamp(map.coast_uv + offset * (map.coast_uv_per_cell / map.cell_m), half_texel, 1.0 - half_texel);
+  return textureSampleLevel(gains_map, repeating_sampler, uv, 0.0).xyz;
+}
+
+struct FoamWaves {
+  // Jacobian of the displaced surface.
+  jacobian: f32,
+  // Rolling foam of waves that break at a coast, 0 to 1.
+  roller: f32,
+}
+
+// The waves at an offset, m, from a level's corner, with the blend of water/surface.wgsl.
+fn foam_waves(level: u32, offset: vec2f) -> FoamWaves {
   var stretch = vec2f(0.0);
   var shear = vec2f(0.0);
+  var roller = 0.0;
+  var gains = vec3f(1.0);
+  if FOAM_COAST {
+    gains = foam_coast_gains(level, offset);
+  }
   for (var c = 0u; c < foam.cascade_count; c++) {
     let corner = foam.levels[level].corners[c];
     let patch_m = foam.cascades[c].patch_m;
@@ -33,6 +59,13 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
     // than the texel, because linear interpolation between uncorrelated texels loses variance.
     let texel_m = max(foam.levels[level].cell_m, foam.breaker_texel_m);
     let lod = max(log2(texel_m * f32(sea.n) / patch_m) - 1.0, 0.0);
+    var gain = 1.0;
+    if FOAM_COAST {
+      gain = gains[foam.cascades[c].role];
+      if foam.cascades[c].role == 2u {
+        roller = gain * textureSampleLevel(rollers_map, repeating_sampler, uv, 0.0).x;
+      }
+    }
     var next = tile_blend(corner.tile_position, offset, true);
     for (var i = 0u; i < TILE_COPIES; i++) {
       let blend = next;
@@ -43,13 +76,17 @@ fn foam_jacobian(level: u32, offset: vec2f) -> f32 {
       let at = uv + tile_copy_shift(corner.tile_position, blend);
       let g = textureSampleLevel(gradients, repeating_sampler, at, layer, lod);
       let d = textureSampleLevel(displacement, repeating_sampler, at, layer, lod);
-      let weight = vec3f(blend.weight.x, tile_weight_gradient(corner.tile_position, blend));
+      var weight = vec3f(blend.weight.x, tile_weight_gradient(corner.tile_position, blend));
+      if FOAM_COAST {
+        weight *= gain;
+      }
       stretch += weight.x * g.zw + weight.yz * d.xz;
       shear += weight.x * d.ww + weight.zy * d.xz;
     }
   }
   let l = sea.choppiness;
-  return (1.0 + l.x * stretch.x) * (1.0 + l.y * stretch.y) - l.x * l.y * shear.x * shear.y;
+  let jacobian = (1.0 + l.x * stretch.x) * (1.0 + l.y * stretch.y) - l.x * l.y * shear.x * shear.y;
+  return FoamWaves(jacobian, roller);
 }
 
 @compute @workgroup_size(8, 8)
@@ -62,12 +99,17 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let before = first + ahead - foam.levels[level].previous_first_cell;
   let known = all(before >= vec2i(0)) && all(before < vec2i(size));
   let cell_m = foam.levels[level].cell_m;
-  let j = foam_jacobian(level, (vec2f(ahead) + 0.5) * cell_m);
+  let waves = foam_waves(level, (vec2f(ahead) + 0.5) * cell_m);
   // The source rises from 0 to 1 while the excess rises from 1 to 2, so that crests lean before they foam.
   let slope = foam.levels[level].source_slope;
-  let over = 1.0 + (foam.levels[level].jacobian_threshold - j) * slope;
-  let excess = select(0.0, clamp(over, 0.0, FOAM_MOST_EXCESS), slope > 0.0);
-  let source = saturate(excess - 1.0);
+  let over = 1.0 + (foam.levels[level].jacobian_threshold - waves.jacobian) * slope;
+  var excess = select(0.0, clamp(over, 0.0, FOAM_MOST_EXCESS), slope > 0.0);
+  var source = saturate(excess - 1.0);
+  if FOAM_COAST {
+    // A wave that breaks at a coast leans as far as one in the open sea with the same source, and foams below its roller.
+    excess = max(excess, 2.0 * waves.roller);
+    source = max(source, waves.roller);
+  }
 
   let at = 3u * ((level * foam.cells_per_side + id.y) * foam.cells_per_side + id.x);
   let initial = foam.levels[level].initial_foam * vec3f(1.0, foam.initial_front_ratio, foam.initial_plume_ratio);

@@ -95,12 +95,19 @@ fn bed_ground(at: vec2f, step: vec2f, size: f32, banks: vec2f) -> BedGround {
 // that of water_slope without shears and ripples, and no variance is read.
 fn bed_focusing_slope(at: vec2f, foot: WaterFootprint) -> vec2f {
   var waves: WaterSlopeSums;
+  var gains: vec3f;
+  if WATER_COAST {
+    gains = coast_gains(at);
+  }
   for (var c = 0u; c < frame.cascade_count; c++) {
     let map = frame.cascades[c];
     if water_is_distant(map, foot) {
       continue;
     }
-    let sampling = water_sampling(map, foot);
+    var sampling = water_sampling(map, foot);
+    if WATER_COAST {
+      sampling.slope_weight *= coast_gain(map, gains);
+    }
     let first_uv = map.uv_below_eye + at * map.inverse_patch;
     var next = tile_blend(map.tile_position, at, false);
     for (var i = 0u; i < TILE_COPIES; i++) {

@@ -39,9 +39,10 @@ fn lean_copy_shift(position: TileLatticePosition, at: vec2f) -> vec2f {
 }
 
 // Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold.
-// `gust` is a factor on their slope variance.
+// `gust` is a factor on their slope variance, and `gains` those of a coast.
 fn lean_add_waves(
   out: ptr<function, WaterSlopeSums>, at: vec2f, foot: LeanFootprint, map: FrameCascade, carried: f32, gust: f32,
+  gains: vec3f,
 ) {
   let uv = map.uv_below_eye + at * map.inverse_patch + lean_copy_shift(map.tile_position, at);
   let lod = foot.log_texel_m + map.log_texels_per_m;
@@ -53,6 +54,11 @@ fn lean_add_waves(
   if WATER_GUSTS {
     own *= sqrt(gust);
     variance_factor *= gust;
+  }
+  if WATER_COAST {
+    let gain = coast_gain(map, gains);
+    own *= gain;
+    variance_factor *= gain * gain;
   }
   (*out).sums.slope += own * gradients.xy;
   (*out).sums.stretch += own * gradients.zw;
@@ -73,17 +79,22 @@ fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDeriva
   if WATER_GUSTS {
     waves.variance *= gust;
   }
+  var gains: vec3f;
+  if WATER_COAST {
+    gains = coast_gains(at);
+    waves.variance *= gains.x * gains.x;
+  }
   let inverse_step = water_inverse_carrying_step(at);
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
     let map = frame.cascades[c];
     let own_gust = water_gust_share(map, gust);
     if foot.side_m * map.inverse_patch >= LEAN_FADE_END {
-      waves.variance += water_distant_covariance(map, at, own_gust);
+      waves.variance += water_distant_covariance(map, at, own_gust, gains);
       continue;
     }
     let share = select(0.0, water_carried_fraction(map, inverse_step), c < frame.cascade_count);
     if share < 1.0 {
-      lean_add_waves(&waves, at, foot, map, share, own_gust);
+      lean_add_waves(&waves, at, foot, map, share, own_gust, gains);
     }
   }
   // As water_displaced_slope, with a cheaper limit and one mean for the whole pixel.
@@ -91,7 +102,7 @@ fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDeriva
   let sides = 1.0 + frame.choppiness * sums.stretch;
   let jacobian = water_jacobian(sums, sides);
   var out: WaterSlope;
-  let slope = sums.slope + water_bound_slope(sums, moved);
+  let slope = sums.slope + water_bound_slope(sums, moved, gains);
   out.mean = water_slope_displaced(slope, sums, sides) * (1.0 / max(jacobian, 0.25));
   out.mean = clamp(out.mean, vec2f(-1.2), vec2f(1.2));
   out.variance = waves.variance;

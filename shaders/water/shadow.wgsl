@@ -28,6 +28,10 @@ fn shadow_cascade(i: u32) -> u32 {
 
 fn shadow_copies(at: vec2f) -> ShadowCopies {
   var copies: ShadowCopies;
+  var gains: vec3f;
+  if WATER_COAST {
+    gains = coast_gains(at);
+  }
   for (var i = 0u; i < SHADOW_CASCADES; i++) {
     let c = shadow_cascade(i);
     if c >= frame.cascade_count {
@@ -40,7 +44,11 @@ fn shadow_copies(at: vec2f) -> ShadowCopies {
       next = tile_next_copy(blend);
       if blend.weight.x > WATER_LEAST_COPY_WEIGHT {
         let uv = map.uv_below_eye + at * map.inverse_patch + tile_copy_shift(map.tile_position, blend);
-        copies[3u * i + k] = vec3f(uv, blend.weight.x);
+        var weight = blend.weight.x;
+        if WATER_COAST {
+          weight *= coast_gain(map, gains);
+        }
+        copies[3u * i + k] = vec3f(uv, weight);
       }
     }
   }

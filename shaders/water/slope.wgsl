@@ -101,9 +101,10 @@ fn water_gust_share(map: FrameCascade, gain: f32) -> f32 {
 }
 
 // Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold. `gust`
-// is a factor on their slope variance.
+// is a factor on their slope variance, and `gains` those of a coast.
 fn water_add_waves(
   out: ptr<function, WaterSlopeSums>, at: vec2f, foot: WaterFootprint, cascade: u32, carried: f32, gust: f32,
+  gains: vec3f,
 ) {
   let map = frame.cascades[cascade];
   let sampling = water_sampling(map, foot);
@@ -113,6 +114,11 @@ fn water_add_waves(
   if WATER_GUSTS {
     own *= sqrt(gust);
     variance_gain *= gust;
+  }
+  if WATER_COAST {
+    let gain = coast_gain(map, gains);
+    own *= gain;
+    variance_gain *= gain * gain;
   }
   let slope_gain = own * map.slope_scale;
   let stretch_gain = select(0.0, own, cascade < frame.cascade_count);
@@ -162,11 +168,15 @@ fn water_whole_covariance(map: FrameCascade, at: vec2f) -> vec3f {
   return (map.variance_factor * map.moment_unit) * moments;
 }
 
-// As water_whole_covariance, with the factor of gusts.
-fn water_distant_covariance(map: FrameCascade, at: vec2f, gust: f32) -> vec3f {
-  let whole = water_whole_covariance(map, at);
+// As water_whole_covariance, with the factors of gusts and of a coast.
+fn water_distant_covariance(map: FrameCascade, at: vec2f, gust: f32, gains: vec3f) -> vec3f {
+  var whole = water_whole_covariance(map, at);
   if WATER_GUSTS {
-    return gust * whole;
+    whole *= gust;
+  }
+  if WATER_COAST {
+    let gain = coast_gain(map, gains);
+    whole *= gain * gain;
   }
   return whole;
 }
@@ -190,6 +200,11 @@ fn water_slope_with_carried(
   if WATER_GUSTS {
     waves.variance *= gust;
   }
+  var gains: vec3f;
+  if WATER_COAST {
+    gains = coast_gains(at);
+    waves.variance *= gains.x * gains.x;
+  }
   let inverse_step = water_inverse_carrying_step(at);
   // Slopes of short gravity waves are similar at every scale, so that a shrunk copy of a cascade can serve as ripples.
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
@@ -202,19 +217,23 @@ fn water_slope_with_carried(
     let share = select(0.0, water_carried_fraction(map, inverse_step), carries && !is_ripple);
     let own_gust = water_gust_share(map, gust);
     if water_is_distant(map, within) {
-      waves.variance += water_distant_covariance(map, at, own_gust);
+      waves.variance += water_distant_covariance(map, at, own_gust, gains);
     } else if share < 1.0 {
-      water_add_waves(&waves, at, within, c, share, own_gust);
+      water_add_waves(&waves, at, within, c, share, own_gust, gains);
     }
   }
-  waves.sums.slope += water_bound_slope(waves.sums, moved);
+  waves.sums.slope += water_bound_slope(waves.sums, moved, gains);
   return water_displaced_slope(waves);
 }
 
 // Slope that the bound waves add to the slope of the elevation, where the waves have moved the water by `moved`. Their
-// height is a sum of products of heights and displacements, so its gradient has each times the gradient of the other.
-fn water_bound_slope(sums: WaterDerivatives, moved: vec3f) -> vec2f {
+// height is a sum of products of heights and displacements, so its gradient has each times the gradient of the other. The
+// waves at a coast have no bound waves, as the factor of offshore waves in `gains` tells.
+fn water_bound_slope(sums: WaterDerivatives, moved: vec3f, gains: vec3f) -> vec2f {
   var factors = frame.bound_slope_factors * moved.yxz;
+  if WATER_COAST {
+    factors *= gains.y;
+  }
   // `moved` contains the bound waves, whose height does not count in the products.
   factors.x -= frame.bound_slope_factors.x * (0.5 * dot(factors, moved.yxz) + frame.bound_level_m);
   return (factors.x + frame.bound_elevation_gain) * sums.slope

@@ -54,6 +54,12 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
   var bound_m = 0.0;
   var longer = vec3f(0.0, frame.bound_elevation_gain, 0.0);
   var out: WaterDisplacement;
+  var gains: vec3f;
+  // Offshore waves, which belong to the first cascade, until its others are added to them.
+  var offshore = vec3f(0.0);
+  if WATER_COAST {
+    gains = coast_gains(at);
+  }
   let log_spacing = log2(max(spacing, 1e-6));
   let inverse_step = water_inverse_carrying_step(at);
   for (var c = 0u; c < frame.cascade_count; c++) {
@@ -68,7 +74,10 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
     longer = select(longer, vec3f(0.0, frame.bound_elevation_gain, 0.0), c == frame.fading_cascade_count);
     var own = vec3f(0.0);
     let smoothness = saturate(-2.0 * lod);
-    let carried = select(0.0, water_carried_fraction(map, inverse_step), carries);
+    var carried = select(0.0, water_carried_fraction(map, inverse_step), carries);
+    if WATER_COAST {
+      carried *= coast_gain(map, gains);
+    }
     var next = tile_blend(map.tile_position, at, carried > 0.0);
     for (var i = 0u; i < TILE_COPIES; i++) {
       let blend = next;
@@ -97,6 +106,23 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
         d = share * textureSampleLevel(displacement_map, trilinear_sampler, uv, map.layer, lod);
       }
       own += blend.weight.x * d.xyz;
+    }
+    if WATER_COAST {
+      let gain = coast_gain(map, gains);
+      own *= gain;
+      // The waves of a coast's layers come first. Those at the coast have no bound waves.
+      if map.coast_gains.x == 0.0 {
+        sum += own;
+        bound_m += (share * share * gain * gain) * map.bound_level_m;
+        offshore += map.coast_gains.y * own;
+        continue;
+      }
+      sum += own;
+      own += offshore;
+      offshore = vec3f(0.0);
+      bound_m += dot(own, 0.5 * map.bound_own.yxy * own + longer) + (share * share * gain * gain) * map.bound_level_m;
+      longer += map.bound_with_shorter.yxy * own;
+      continue;
     }
     sum += own;
     bound_m += dot(own, 0.5 * map.bound_own.yxy * own + longer) + share * share * map.bound_level_m;

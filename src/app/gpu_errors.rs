@@ -1,6 +1,7 @@
 //! Errors of the GPU device while the app runs. Each distinct error is logged once and shown in the panel; a device
 //! loss stops the drawing of frames.
 
+use super::App;
 use futures_channel::oneshot;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -99,5 +100,17 @@ impl GpuErrors {
     /// Locks the shared state. A panic of another holder of the lock leaves the state valid.
     fn lock(&self) -> MutexGuard<'_, GpuErrorState> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl App {
+    /// The reason why the GPU device was lost; `None` while it works.
+    pub fn device_lost(&self) -> Option<String> {
+        self.gpu_errors.lost()
+    }
+
+    /// The distinct error messages that the GPU device has reported so far.
+    pub fn errors(&self) -> Vec<String> {
+        self.gpu_errors.errors()
     }
 }

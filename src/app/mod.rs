@@ -4,6 +4,7 @@ mod accessible_names;
 mod camera;
 mod caption;
 mod clock;
+mod coast;
 mod derived;
 pub mod device_loss;
 mod film;
@@ -105,6 +106,7 @@ pub struct App {
     record: BuoyRecord,
     /// Kind of floating object that the next click on the sea places; `None` if a click places nothing.
     placing: Option<floats::FloatingObjectKind>,
+    coast: coast::AppCoast,
     save_folder: Option<std::path::PathBuf>,
     /// Results of attempts to save a file: a message for the user with the path, or the reason for the failure.
     save_results: tasks::Inbox<Result<String, String>>,
@@ -181,6 +183,7 @@ impl App {
             rounded_pose: Some(rounding::camera_pose(&params)),
             record: BuoyRecord::default(),
             placing: None,
+            coast: coast::AppCoast::default(),
             save_folder: None,
             save_results: tasks::Inbox::default(),
             sky: sky.filter(|s| s.image.is_some()),
@@ -239,20 +242,11 @@ impl App {
     }
 
     /// Returns whether the picture is complete: the GPU has finished the first one since the start or the last device
-    /// loss, the foam has reached the present, and no cross-fade is in progress. Also requests one more frame.
+    /// loss, the foam has reached the present, the waves near a coast are there, and no cross-fade is in progress. Also
+    /// requests one more frame.
     pub fn is_picture_complete(&self) -> bool {
         self.ctx.request_repaint();
-        self.progress.has_first_picture() && !self.progress.is_replaying_foam_or_fading()
-    }
-
-    /// The reason why the GPU device was lost; `None` while it works.
-    pub fn device_lost(&self) -> Option<String> {
-        self.gpu_errors.lost()
-    }
-
-    /// The distinct error messages that the GPU device has reported so far.
-    pub fn errors(&self) -> Vec<String> {
-        self.gpu_errors.errors()
+        self.is_coast_shown() && self.progress.has_first_picture() && !self.progress.is_replaying_foam_or_fading()
     }
 
     /// eframe's wgpu state, with the device and queue that the app draws with.
@@ -332,7 +326,9 @@ impl eframe::App for App {
                 interval_s,
                 gpu: self.frame_measurements.take_gpu_time(),
                 time_is_stopped: self.stands_still(),
-                has_extra_work: self.progress.is_replaying_foam_or_fading() || self.panel.sheet.is_moving(),
+                has_extra_work: self.progress.is_replaying_foam_or_fading()
+                    || self.panel.sheet.is_moving()
+                    || self.coast.slows_frames(),
             };
             self.quality.adapt(times, &self.params.screen);
         }
@@ -340,7 +336,9 @@ impl eframe::App for App {
         if interface == Interface::Panel {
             panel::show_bottom_sheet(self, ui);
         }
+        self.adopt_coast_file();
         let params = self.params_to_draw();
+        self.follow_coast(&params, &ctx);
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
         let is_adaptive = self.params.screen.adaptive && !self.stands_still();
         let level = is_adaptive.then(|| self.quality.level());
@@ -355,8 +353,14 @@ impl eframe::App for App {
         // Clicks on the sea are sensed only while an object is to be placed: with them, egui would take a finger that
         // rests before it drags for a long press.
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
-        let (response, size) =
-            viewport::show_sea(ui, &params, (&self.progress, &self.frame_measurements), sense, frame, pixels);
+        let (response, size) = viewport::show_sea(
+            ui,
+            (&params, self.coast.shown()),
+            (&self.progress, &self.frame_measurements),
+            sense,
+            frame,
+            pixels,
+        );
         // A saved picture remembers the user's choices, not what this machine can draw at this moment.
         self.drawn = Some((self.params.clone(), size));
         self.drawn_is_whole = self.quality.is_full(&self.params.screen);

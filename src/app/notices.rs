@@ -29,6 +29,11 @@ const PATTERNS: &[&str] = &[
     text!(
         "the sky \"{name}\" is not loaded, the computed sky is shown: drop the file on the sea, or name it with --sky"
     ),
+    text!(
+        "the coast is a file, which a link cannot carry: drop the bathymetry on the sea, or name it with --bathymetry"
+    ),
+    text!("the sea is {depth} m deep, and the coast begins in {edge} m: the waves jump where they meet"),
+    text!("the waves near the coast could not be computed: they run on as in the open sea"),
     text!("the short-wave fade removes all waves: it is longer than they are"),
     text!("the short-wave fade removes all waves of a system whose height is set (hs)"),
     text!("a significant wave height of {height} m is too high for {depth} m of water: capped at {limit} m"),

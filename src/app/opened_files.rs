@@ -1,5 +1,5 @@
 //! Files that are dropped on the window or the page, or chosen in a dialog: spectra of a buoy or a wave model, a sky
-//! image, a saved picture or a list of seas.
+//! image, a bathymetry, a saved picture or a list of seas.
 
 #[cfg(target_arch = "wasm32")]
 use super::tasks;
@@ -7,7 +7,7 @@ use super::{App, tasks::Inbox};
 use crate::app::language::{say, text, tr};
 use crate::files::measured::{MAX_FILES_PER_SPECTRUM, MeasuredSpectrum};
 use crate::files::panorama::{self, Panorama};
-use crate::files::{input, picture};
+use crate::files::{bathymetry, input, picture};
 use crate::state::look::SkyFile;
 use crate::state::presets;
 use egui::DroppedFileHandle;
@@ -15,13 +15,32 @@ use std::sync::Arc;
 
 /// What can be opened, in words, for the panel.
 pub const OPENABLE_FILES: &str = text!(
-    "A sky (.hdr, .exr), a picture saved here, a file of seas, or a spectrum: a buoy's \
-    (NDBC text, Spotter JSON, CSV) or a wave model's (SWAN, WAVEWATCH III, ERA5). Dropping works, too."
+    "A sky (.hdr, .exr), a picture saved here, a file of seas, a coast (GeoTIFF, NetCDF, ESRI ASCII grid, text of \
+    x, y, z), or a spectrum: a buoy's (NDBC text, Spotter JSON, CSV) or a wave model's (SWAN, WAVEWATCH III, ERA5). \
+    Dropping works, too."
 );
 /// Extensions of the files that the dialog offers first. Files of NDBC have others, which its second filter shows.
 #[cfg(not(target_arch = "wasm32"))]
-const USUAL_EXTENSIONS: [&str; 13] =
-    ["hdr", "exr", "png", "txt", "csv", "json", "nc", "spc", "sp2", "spec", "data_spec", "swden", "spt"];
+const USUAL_EXTENSIONS: [&str; 18] = [
+    "hdr",
+    "exr",
+    "png",
+    "txt",
+    "csv",
+    "json",
+    "nc",
+    "spc",
+    "sp2",
+    "spec",
+    "data_spec",
+    "swden",
+    "spt",
+    "tif",
+    "tiff",
+    "asc",
+    "grd",
+    "xyz",
+];
 /// A buoy's spectrum to try: swell and a wind sea (assets/spectra).
 const SAMPLE_SPECTRUM: (&str, &str) = ("two-systems.txt", include_str!("../../assets/spectra/two-systems.txt"));
 /// Name of the sky to try.
@@ -68,7 +87,8 @@ pub fn read_web_files(inbox: &Inbox<OpenedFiles>, handles: Vec<web_sys::File>, c
             let size = file.size();
             if size > input::max_file_bytes(&name) as f64 {
                 let reason = format!(
-                    "{name}: too large for any file that Seastate reads: a spectrum (16 MiB) or a sky (.hdr, .exr)"
+                    "{name}: too large for any file that Seastate reads: a spectrum (16 MiB), a coast (64 MiB) or a sky (.hdr, \
+                     .exr)"
                 );
                 return inbox.put(Err(reason), &ctx);
             }
@@ -102,8 +122,8 @@ impl App {
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn choose_files(&self) {
         let dialog = rfd::AsyncFileDialog::new()
-            .set_title("Open a sky, a spectrum, a picture or seas")
-            .add_filter("Skies, spectra, pictures and seas", &USUAL_EXTENSIONS)
+            .set_title("Open a sky, a coast, a spectrum, a picture or seas")
+            .add_filter("Skies, coasts, spectra, pictures and seas", &USUAL_EXTENSIONS)
             .add_filter("All files", &["*"]);
         // The dialog is made on this thread, as macOS demands, and waited for on another.
         let (chosen, inbox, ctx) = (dialog.pick_files(), self.opened_files.clone(), self.ctx.clone());
@@ -154,8 +174,8 @@ impl App {
         }
     }
 
-    /// Opens a saved picture, a list of seas or a sky image, recognised by its contents; other files are read as measured
-    /// spectra.
+    /// Opens a saved picture, a list of seas, a sky image or a bathymetry, recognised by its contents; other files are read
+    /// as measured spectra, and what is none as a bathymetry.
     fn open_files(&mut self, files: &[(String, Vec<u8>)]) -> Result<(), String> {
         if let [(name, bytes)] = files {
             if picture::is_png(bytes) {
@@ -173,8 +193,16 @@ impl App {
                 self.use_sky_file(decode_sky_file(name, bytes)?);
                 return Ok(());
             }
+            if bathymetry::is_bathymetry_file(name, bytes) {
+                return self.use_coast_file(name, bytes);
+            }
         }
-        self.use_spectra(MeasuredSpectrum::read_list(files)?);
+        match (MeasuredSpectrum::read_list(files), files) {
+            (Ok(list), _) => self.use_spectra(list),
+            // NetCDF and text hold either. What is neither is refused as what most such files are.
+            (Err(reason), [(name, bytes)]) => self.use_coast_file(name, bytes).map_err(|_| reason)?,
+            (Err(reason), _) => return Err(reason),
+        }
         Ok(())
     }
 
@@ -244,6 +272,7 @@ pub fn show_drop_hint(ctx: &egui::Context) {
         screen.center(),
         egui::Align2::CENTER_CENTER,
         tr("Drop a sky (.hdr, .exr), a picture saved here, a file of seas,\n\
+         a coast (GeoTIFF, NetCDF, ESRI ASCII grid, text of x, y, z)\n\
          or a spectrum: a buoy's (NDBC text, Spotter JSON, CSV of f, S, direction, spread)\n\
          or a model's (SWAN .spc .sp2, WAVEWATCH III text or NetCDF, ERA5 NetCDF, CSV)"),
         egui::FontId::proportional(20.0),

@@ -86,8 +86,9 @@ impl App {
 
     /// Takes the picture that is being drawn, once it is complete. Each frame calls this before it changes anything.
     pub(super) fn advance_picture_job(&mut self) {
+        let is_drawn = !self.progress.wants_frame() && self.is_coast_shown();
         let Some(job) = &mut self.picture_job else { return };
-        if job.frames >= LEAST_FRAMES && !self.progress.wants_frame() {
+        if job.frames >= LEAST_FRAMES && is_drawn {
             self.picture_job = None;
             self.take_picture();
         } else {

@@ -24,7 +24,11 @@ impl App {
     pub(super) fn sea_in_words(&self) -> String {
         let force = beaufort::beaufort_number(self.params.sea.first_system().wind_m_s);
         let height = self.length_scale().format(self.derived.theoretical_statistics.hs_m, 1);
-        say!("Force {force} sea, waves {height} high", force = force, height = height)
+        let sea = say!("Force {force} sea, waves {height} high", force = force, height = height);
+        match self.coast_in_words() {
+            Some(coast) => say!("{sea}, coast: {coast}", sea = sea, coast = coast),
+            None => sea,
+        }
     }
 
     /// Title of the browser's tab, such as `Force 5, 1.9 m: Seastate`.

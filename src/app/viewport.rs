@@ -4,6 +4,7 @@
 use super::measurements::FrameMeasurements;
 use crate::gpu::Gpu;
 use crate::ocean::Ocean;
+use crate::ocean::coast_task::ShownCoast;
 use crate::state::Params;
 use crate::state::params::Detail;
 use std::sync::Arc;
@@ -67,13 +68,13 @@ impl DrawingProgress {
     }
 }
 
-/// Fills the rest of `ui` with the sea. `pixels` converts the size of that area in points to the picture's size in
+/// Fills the rest of `ui` with the sea of `params` and its coast. `pixels` converts the size of that area in points to the picture's size in
 /// pixels. With a `quality_level` the frame's GPU time is measured, and comes back with that number. `restarts_foam`: the
 /// foam is made anew for this sea. Returns egui's
 /// response of the area to pointer input of the kind `sense`, and the picture's size in pixels.
 pub fn show_sea(
     ui: &mut egui::Ui,
-    params: &Params,
+    (params, coast): (&Params, ShownCoast),
     (progress, measurements): (&DrawingProgress, &FrameMeasurements),
     sense: egui::Sense,
     (quality_level, restarts_foam): (Option<u32>, bool),
@@ -87,8 +88,16 @@ pub fn show_sea(
     if response.rect.is_positive() {
         let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(MAX_FADE_STEP_S);
         let (progress, measurements) = (progress.clone(), measurements.clone());
-        let frame =
-            SeaFrame { params: params.clone(), size, progress, measurements, dt_s, tag: quality_level, restarts_foam };
+        let frame = SeaFrame {
+            params: params.clone(),
+            coast,
+            size,
+            progress,
+            measurements,
+            dt_s,
+            tag: quality_level,
+            restarts_foam,
+        };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     (response, size)
@@ -103,6 +112,7 @@ fn foam_steps_per_frame(gpu: &Gpu, n: u32) -> usize {
 /// and the state that it shares with the app.
 struct SeaFrame {
     params: Params,
+    coast: ShownCoast,
     size: [u32; 2],
     progress: DrawingProgress,
     measurements: FrameMeasurements,
@@ -135,6 +145,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         self.measurements.begin_frame(ocean, self.tag);
         ocean.set_may_keep_pipelines(!self.params.clock.paused);
         ocean.transition_to(&self.params, self.dt_s);
+        ocean.show_coast(self.coast.clone());
         if self.restarts_foam {
             ocean.restart_foam_after_transition();
         }

@@ -6,9 +6,10 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl WebHandle {
-    /// Sets the safe area of the screen by its distances from the edges, CSS pixels.
-    pub fn set_safe_area(&self, top: f32, right: f32, bottom: f32, left: f32) {
-        self.with_app(|app| app.set_safe_area(SafeArea { top, right, bottom, left }));
+    /// Sets the safe area of the screen by its distances from the edges, CSS pixels. Returns whether the app has taken
+    /// it: false before the app has started.
+    pub fn set_safe_area(&self, top: f32, right: f32, bottom: f32, left: f32) -> bool {
+        self.with_app(|app| app.set_safe_area(SafeArea { top, right, bottom, left })).is_some()
     }
 
     /// Offers to look by tilting the device.

@@ -193,6 +193,7 @@ async fn time_baseline(clock: &Stopwatch<'_>, params: &Params) -> Result<Vec<Pas
 async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) -> Result<Vec<PassTiming>, String> {
     let gpu = clock.gpu;
     let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params);
+    ocean.solve_coast();
     let target = offscreen::create_target(gpu, PICTURE_FORMAT, size);
     let mut encoder = gpu.encoder("picture");
     ocean.record_frame_with_complete_foam(&mut encoder, size);

@@ -58,7 +58,7 @@ impl StagewiseFft {
         let mut out = Self { dispatches: Vec::new(), displacement: Vec::new(), gradients: Vec::new() };
         let evolve = pipeline_with_auto_layout(gpu, "evolve", include_str!("../../shaders/bench/evolve.wgsl"));
         let merge = pipeline_with_auto_layout(gpu, "merge", include_str!("../../shaders/bench/merge.wgsl"));
-        for (cascade, place) in (0..).zip(maps.current_cascades()) {
+        for (cascade, place) in (0..).zip(maps.current_ordinary_cascades()) {
             let values = EvolveUniform {
                 cascade,
                 dk: (TAU / place.patch_m) as f32,

@@ -1,11 +1,16 @@
 //! The arguments of the command line.
 
+use crate::coast::PlacedCoast;
+use crate::files::bathymetry::{self, ReadAs};
+use crate::files::input;
 use crate::files::measured::MeasuredSpectrum;
 use crate::lab::flip;
+use crate::state::coast::{CoastFile, CoastName};
 use crate::state::start::given_or_start;
 use crate::state::{Params, query};
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Largest width and height of a picture, pixels.
 pub const MAX_PICTURE_SIDE: u32 = 8192;
@@ -47,6 +52,9 @@ pub struct SeaArgs {
     /// Sky image to show: an equirectangular picture in linear light, Radiance .hdr or OpenEXR
     #[arg(long, value_name = "FILE")]
     sky: Option<PathBuf>,
+    /// Bathymetry that the sea runs up to: GeoTIFF, NetCDF as GEBCO gives it, ESRI ASCII grid, or text of x, y, z
+    #[arg(long, value_name = "FILE")]
+    bathymetry: Option<PathBuf>,
 }
 
 impl SeaArgs {
@@ -67,7 +75,7 @@ impl SeaArgs {
     pub fn read(&self) -> Result<(Params, Vec<String>), String> {
         let (mut params, mut notices) = query::parse(self.state.as_deref().unwrap_or_default());
         if !self.spectrum.is_empty() {
-            let files = crate::files::input::read_all(&self.spectrum)?;
+            let files = input::read_all(&self.spectrum)?;
             let file = MeasuredSpectrum::read_list(&files)?.choose(self.spectrum_index)?;
             notices.extend(file.notices);
             params.sea.set_measured_spectrum(file.spectrum);
@@ -77,7 +85,17 @@ impl SeaArgs {
             notices.extend(file.image.iter().flat_map(|p| p.notices.iter().map(|n| format!("{}: {n}", file.name))));
             params.look.sky.file = Some(file);
         }
+        if let Some(path) = &self.bathymetry {
+            let (name, bytes) = input::read_up_to(path, bathymetry::MAX_FILE_BYTES)?;
+            let file = Arc::new(bathymetry::read(&name, &bytes, ReadAs::default())?);
+            (params.coast.name, params.coast.file) = (CoastName::File, Some(CoastFile(file)));
+        }
         notices.extend(params.look.sky.missing_file_notice());
+        match PlacedCoast::of_state(&params.coast, None) {
+            Ok(land) => notices.extend(land.into_iter().flat_map(|land| land.notices)),
+            Err(_) if params.coast.file.is_none() => notices.extend(params.coast.missing_file_notice()),
+            Err(reason) => return Err(reason),
+        }
         Ok((params, notices))
     }
 }

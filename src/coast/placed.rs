@@ -6,7 +6,7 @@ use super::built_in::BuiltInCoast;
 use super::incident::Placement;
 use super::structure::Structure;
 use crate::files::bathymetry::{BathymetryFile, ElevationGrid};
-use crate::state::coast::{Coast, CoastName};
+use crate::state::coast::{Coast, CoastName, MISSING_FILE_NOTICE};
 
 /// Cells along the longer side, unless the user asks for another size of the cells.
 const DEFAULT_CELLS: f64 = 200.0;
@@ -16,6 +16,8 @@ const MAX_CELLS: f64 = 600.0;
 const DEFAULT_SIDE_M: f64 = 4000.0;
 /// Points along a side at which the slope of the sea floor is looked at.
 const SLOPE_POINTS: usize = 96;
+/// Distance of a view of the shore from the first land, m: seaward of the breakers of usual seas.
+pub const SHORE_VIEW_BEFORE_M: f64 = 220.0;
 /// Depths, m, between which the slope tells where the shore lies.
 const SLOPE_DEPTHS_M: [f64; 2] = [0.5, 40.0];
 
@@ -73,16 +75,15 @@ impl PlacedCoast {
         })
     }
 
-    /// The coast of a state; `None` for the open sea. `file` is the bathymetry that the user has opened.
+    /// The coast of a state; `None` for the open sea. `file` is the bathymetry that the user has opened, if the state does
+    /// not hold it itself.
     ///
     /// # Errors
     /// One sentence, if the state asks for a file that is not open, or the file does not fit.
     pub fn of_state(coast: &Coast, file: Option<&BathymetryFile>) -> Result<Option<Self>, String> {
-        let placed = match (coast.name, file) {
+        let placed = match (coast.name, coast.file.as_ref().map(|file| &*file.0).or(file)) {
             (CoastName::None, _) => return Ok(None),
-            (CoastName::File, None) => {
-                return Err("the coast is a file, which a link cannot carry: open the bathymetry again".into());
-            }
+            (CoastName::File, None) => return Err(MISSING_FILE_NOTICE.into()),
             (CoastName::File, Some(file)) => Self::from_file(file, &PlacingOptions::default())?,
             (name, _) => {
                 let built_in = BuiltInCoast::find(name.word()).ok_or_else(|| format!("no coast {}", name.word()))?;
@@ -174,6 +175,26 @@ impl PlacedCoast {
         let [x, y] = self.side_m().map(|side_m| 0.5 * side_m);
         let [east, south] = self.middle_m;
         Placement { origin_m: [east - (x * cos - y * sin), south - (x * sin + y * cos)], turn_rad }
+    }
+
+    /// Mean depth of the water at the edge that faces the open sea, m: the waves there are those of a sea of this depth.
+    pub fn seaward_depth_m(&self) -> f64 {
+        let rows = self.bathymetry.rows;
+        (0..rows).map(|row| self.bathymetry.at(0, row)).sum::<f64>() / rows as f64
+    }
+
+    /// Place from which the whole shore is seen: world x and z (m), [`SHORE_VIEW_BEFORE_M`] before the first land in the
+    /// middle of the coast, or in its middle if there is none; and the heading towards the land, degrees.
+    pub fn shore_view(&self) -> ([f64; 2], f64) {
+        let grid = &self.bathymetry;
+        let row = grid.rows / 2;
+        let land = (0..grid.columns).find(|column| grid.at(*column, row) <= 0.0);
+        let x =
+            land.map_or(0.5 * self.side_m()[0], |column| (column as f64 * grid.cell_m - SHORE_VIEW_BEFORE_M).max(0.0));
+        let y = row as f64 * grid.cell_m;
+        let Placement { origin_m: [east, south], turn_rad } = self.placement();
+        let (sin, cos) = turn_rad.sin_cos();
+        ([east + x * cos - y * sin, south + x * sin + y * cos], self.toward_deg)
     }
 
     /// Lengths of the grid along x and along y, m.
@@ -291,6 +312,28 @@ mod tests {
         assert!((x - 750.0).abs() < 1e-9 && (z + 750.0).abs() < 1e-9, "{x} {z}");
         assert_eq!(east.bathymetry, south.bathymetry);
         assert_eq!((east.bathymetry.columns, east.bathymetry.cell_m), (201, 7.5));
+    }
+
+    #[test]
+    fn the_view_of_the_shore_looks_at_the_land_from_the_water() {
+        for coast in &super::super::built_in::BUILT_IN {
+            let placed = PlacedCoast::built_in(coast, &PlacingOptions::default()).expect("a coast");
+            assert!((8.0..25.0).contains(&placed.seaward_depth_m()), "{}", coast.name);
+            let ([east, south], heading_deg) = placed.shore_view();
+            let (sin, cos) = heading_deg.to_radians().sin_cos();
+            // Depth at the point of the grid that is nearest to a point ahead of the eye.
+            let (placement, grid) = (placed.placement(), &placed.bathymetry);
+            let (turn_sin, turn_cos) = placement.turn_rad.sin_cos();
+            let depth = |ahead_m: f64| {
+                let [x, z] =
+                    [east + ahead_m * sin - placement.origin_m[0], south - ahead_m * cos - placement.origin_m[1]];
+                let at = [x * turn_cos + z * turn_sin, -x * turn_sin + z * turn_cos];
+                let [column, row] = at.map(|m| (m / grid.cell_m).round() as usize);
+                grid.at(column, row)
+            };
+            assert!(depth(0.0) > 1.0, "{}: {}", coast.name, depth(0.0));
+            assert!(depth(SHORE_VIEW_BEFORE_M) < 0.2 && depth(SHORE_VIEW_BEFORE_M - 30.0) > 0.0, "{}", coast.name);
+        }
     }
 
     #[test]

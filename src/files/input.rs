@@ -1,18 +1,27 @@
 //! Reads whole files, with a size limit for each kind of file.
 
-use super::{measured, panorama};
+use super::{bathymetry, measured, panorama};
 #[cfg(not(target_arch = "wasm32"))]
 use std::{
     io::Read as _,
     path::{Path, PathBuf},
 };
 
-/// Size limit of a file with this name, bytes: for .hdr, .exr and .png that of a sky image, else of a measured
-/// spectrum.
+/// Endings of names of files that may hold a bathymetry.
+const BATHYMETRY_ENDINGS: [&str; 8] = [".tif", ".tiff", ".asc", ".grd", ".xyz", ".nc", ".txt", ".csv"];
+
+/// Size limit of a file with this name, bytes: for .hdr, .exr and .png that of a sky image, for the endings of
+/// bathymetries that of a bathymetry, else that of a measured spectrum.
 pub fn max_file_bytes(name: &str) -> usize {
+    let name = name.to_ascii_lowercase();
     // A PNG may be a large saved picture.
-    let large = panorama::is_sky_file(name, &[]) || name.to_ascii_lowercase().ends_with(".png");
-    if large { panorama::MAX_BYTES } else { measured::MAX_FILE_BYTES }
+    if panorama::is_sky_file(&name, &[]) || name.ends_with(".png") {
+        panorama::MAX_BYTES
+    } else if BATHYMETRY_ENDINGS.iter().any(|ending| name.ends_with(ending)) {
+        bathymetry::MAX_FILE_BYTES
+    } else {
+        measured::MAX_FILE_BYTES
+    }
 }
 
 /// Reads files and returns name and content of each. Of a file above the limit [`max_file_bytes`] one byte more than

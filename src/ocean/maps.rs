@@ -2,6 +2,7 @@
 
 use super::{MAX_FOAM_STEPS, MapsF32, Ocean};
 use crate::gpu::readback;
+use crate::sim::map_statistics::with_offshore_waves;
 use crate::sim::resources::MapKind;
 
 /// Foam on one foam level, a square grid around the camera, in coordinates of the undisplaced water.
@@ -37,10 +38,11 @@ impl Ocean {
         let mut encoder = self.gpu.encoder("read displacement");
         self.encode_waves(&mut encoder, MAX_FOAM_STEPS);
         let r = &self.sim.resources;
-        let layers = r.current_sea_layers(MapKind::Displacement, self.plan().cascades.len());
+        let (cascades, layer) = (self.plan().cascades.len(), (r.n * r.n) as usize);
+        let layers = r.current_sea_layers(MapKind::Displacement, cascades + usize::from(self.sim.has_coast()));
         let copy = readback::stage_layers(&self.gpu, &mut encoder, &r.maps, 0, layers);
         self.gpu.submit(encoder);
-        copy.read_map(&self.gpu).await
+        Ok(with_offshore_waves(copy.read_map(&self.gpu).await?, layer, cascades))
     }
 
     /// Computes the foam at the time of the parameters and reads back its levels around the camera, finest level first.

@@ -1,11 +1,15 @@
 //! The façade of the crate: [`Ocean`], a simulated sea with its picture, which window, page and command line use.
 
+mod coast;
+pub mod coast_task;
 pub mod device_info;
 mod interpolated;
 pub mod maps;
 #[cfg(feature = "files")]
 pub mod maps_file;
 pub mod passes;
+mod reference_samples;
+mod shown_coast;
 pub mod still;
 
 use crate::gpu::Gpu;
@@ -20,6 +24,7 @@ use crate::state::camera::{View, deepest_dive_m};
 use crate::state::params::{Camera, CameraMode};
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::{Plan, SeaChange};
+use coast_task::{CoastKey, ShownCoast};
 use interpolated::WeightedPlans;
 use std::sync::Arc;
 
@@ -68,6 +73,8 @@ pub struct Ocean {
     output: OutputKind,
     appearance: Interpolated<SeaAppearance>,
     plans: Interpolated<WeightedPlans>,
+    /// The coast that [`Self::solve_coast`] solved last.
+    coast_solved: Option<(CoastKey, ShownCoast)>,
     /// For each plan whose waves are drawn: the plan, and those of its waves that move the floating objects.
     hull_waves: Vec<(Arc<Plan>, HullWaves)>,
     timer: Timer,
@@ -115,6 +122,7 @@ impl Ocean {
             output: OutputKind::Screen,
             appearance,
             plans,
+            coast_solved: None,
             hull_waves: Vec::new(),
             timer,
         }
@@ -220,9 +228,9 @@ impl Ocean {
         let maps = self.sim.maps();
         let (fading, own) = maps.cascades.split_at(maps.fading_cascade_count);
         let (old, now) = self.plans.fading_and_current();
-        let of = |plans: &WeightedPlans, cascades: &[MapCascade]| -> Vec<DrawnSea> {
-            let weights =
-                |share: f64| cascades.iter().map(|c| share * f64::from(c.cross_fade_amplitude_factor)).collect();
+        let of = |plans: &WeightedPlans, cascades| -> Vec<DrawnSea> {
+            let factors = || MapCascade::ordinary(cascades).map(|c| f64::from(c.cross_fade_amplitude_factor));
+            let weights = |share: f64| factors().map(|factor| share * factor).collect();
             plans
                 .0
                 .iter()
@@ -301,38 +309,6 @@ impl Ocean {
         }
     }
 
-    /// Records the part `part` of the drawing of the last frame again, alone, to measure its GPU time. Records nothing
-    /// before the first frame.
-    pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
-        if let Some(renderer) = &self.renderer {
-            renderer.record_part(encoder, part);
-        }
-    }
-
-    /// Number of vertices of the water mesh in the last frame; 0 before the first frame.
-    pub fn vertex_count(&self) -> u32 {
-        self.renderer.as_ref().map_or(0, Renderer::vertex_count)
-    }
-
-    /// Records the drawing of unfiltered samples, one per cell of `grid`, for a reference picture (mean of many samples
-    /// per pixel) of the last frame. Returns a texture with one sample per texel, as [`ReferenceRenderer::draw`] does.
-    pub fn record_frame_samples(&mut self, encoder: &mut wgpu::CommandEncoder, grid: &SampleGrid) -> wgpu::Texture {
-        let scene = self.scene(grid.size);
-        let reference = self.reference.get_or_insert_with(|| ReferenceRenderer::new(&self.gpu, self.format));
-        reference.draw(&self.gpu, encoder, self.sim.maps(), &scene, grid)
-    }
-
-    /// Draws a picture of `size` (width, height) pixels given as linear light (RGB, row by row from the top), such as
-    /// the mean of several [`Self::record_frame_samples`], with the exposure and tone curve of the parameters. Draws
-    /// nothing before the first call of [`Self::record_frame_samples`].
-    pub fn present_linear_light(&mut self, pass: &mut wgpu::RenderPass<'_>, size: [u32; 2], light: &[[f32; 3]]) {
-        let scene = self.scene(size);
-        if let Some(reference) = &mut self.reference {
-            reference.set_linear_light(&self.gpu, &scene, size, light);
-            reference.present(pass);
-        }
-    }
-
     /// All that determines a picture of `width` x `height` pixels with the present parameters, besides the maps:
     /// camera, look, sea properties and floating objects.
     pub fn scene(&self, [width, height]: [u32; 2]) -> Scene {
@@ -356,6 +332,7 @@ impl Ocean {
                 variance_fraction: 1.0 - share,
             }),
             mean_foam: self.sim.mean_foam(),
+            has_coast: self.sim.maps().coast.is_some(),
             may_keep_pipelines: self.may_keep_pipelines,
             is_lean: self.is_lean,
             t_s: self.params.clock.t_s,

@@ -1,9 +1,9 @@
 //! Single GPU passes of the simulation, recorded alone so that they can be timed.
 
-use super::{MIN_EYE_HEIGHT_M, Ocean, relative_to_still_water};
+use super::{MIN_EYE_HEIGHT_M, Ocean, TimedPart, relative_to_still_water};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::timer::Timer;
-use crate::render::{SeaAppearance, planned_mesh_vertices};
+use crate::render::{Renderer, SeaAppearance, planned_mesh_vertices};
 use crate::sim::Simulation;
 use crate::sim::planned_sea::SeaDispatch;
 use crate::sim::resources::foam_cells_per_side;
@@ -46,6 +46,21 @@ pub struct WavePasses<'a> {
     dispatch: SeaDispatch,
     /// Dynamic offset, bytes, of the uniform for the foam pass in the buffer of foam uniforms.
     foam_uniform_offset: u32,
+}
+
+impl Ocean {
+    /// Records the part `part` of the drawing of the last frame again, alone, to measure its GPU time. Records nothing
+    /// before the first frame.
+    pub fn record_part(&self, encoder: &mut wgpu::CommandEncoder, part: TimedPart) {
+        if let Some(renderer) = &self.renderer {
+            renderer.record_part(encoder, part);
+        }
+    }
+
+    /// Number of vertices of the water mesh in the last frame; 0 before the first frame.
+    pub fn vertex_count(&self) -> u32 {
+        self.renderer.as_ref().map_or(0, Renderer::vertex_count)
+    }
 }
 
 impl MapSizes {

@@ -16,12 +16,13 @@ pub async fn draw_picture(gpu: &Gpu, params: &Params, size: [u32; 2]) -> Result<
     draw_ocean_picture(gpu, &mut Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, params), size).await
 }
 
-/// Draws an ocean at its present parameters, `size` (width, height) pixels. Returns RGBA bytes, row by row from the
-/// top.
+/// Draws an ocean at its present parameters, `size` (width, height) pixels, with the waves of its coast. Returns RGBA bytes,
+/// row by row from the top.
 ///
 /// # Errors
 /// If the read-back from the GPU fails.
 pub async fn draw_ocean_picture(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> Result<Vec<u8>, String> {
+    ocean.solve_coast();
     let mut encoder = gpu.encoder("picture");
     ocean.record_frame_with_complete_foam(&mut encoder, size);
     present_and_read_back(gpu, encoder, size, |pass| ocean.present(pass)).await

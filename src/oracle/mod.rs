@@ -3,6 +3,7 @@
 //! Lattices of wave vectors are stored in FFT order, as on the GPU: element i has the signed index i for i < n/2 and
 //! i - n otherwise. Rows run along x, columns along z. The code is slow and simple on purpose.
 
+pub mod coast;
 pub mod foam;
 pub mod maps;
 pub mod spectrum;

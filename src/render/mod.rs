@@ -6,6 +6,7 @@
 mod drops;
 mod film;
 mod frame;
+mod frame_maps;
 mod reference;
 mod scene;
 mod scene_group;
@@ -38,7 +39,7 @@ use drops::rain::RainUniform;
 use drops::spray::{SprayLevel, SprayUniform};
 use film::present::PresentPass;
 use film::tone::{TonePass, ToneUniform};
-use frame::{FrameCascade, FrameFoamGrid};
+use frame_maps::{FrameCascade, FrameFoamGrid};
 use scene_group::SceneGroup;
 use sky::background::BackgroundPass;
 use sky::clouds::{CloudField, CloudView};
@@ -220,6 +221,7 @@ impl Renderer {
             self.bed.fill_once(gpu);
         }
         self.water.select_pipeline(gpu, scene);
+        self.eye.select_pipeline(gpu, scene);
         self.under.prepare(gpu, scene, &self.water);
         self.background.select_pipeline(gpu, &self.water.scene, &self.sky, scene);
         self.water.bind_maps(gpu, maps);
@@ -239,8 +241,11 @@ impl Renderer {
         if let DisplayedView::Surface(_) = scene.look.view.displayed {
             self.water.displace(encoder, &self.timer);
         }
-        let make = || FalseColourPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water);
-        let view = self.view_pass.get_or_insert_with(make);
+        let make = |has_coast| {
+            FalseColourPass::new(gpu, &Shaders::default().with_structs(SHARED_STRUCTS), &self.water, has_coast)
+        };
+        self.view_pass.take_if(|view| view.has_coast != scene.has_coast);
+        let view = self.view_pass.get_or_insert_with(|| make(scene.has_coast));
         view.draw(gpu, (encoder, &self.timer), (maps, scene), &self.water, targets);
     }
 

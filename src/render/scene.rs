@@ -39,6 +39,8 @@ pub struct Scene {
     pub colour_scales: [ColourScale; MAX_CASCADES],
     /// Positions and orientations of the floating objects in world coordinates.
     pub hulls: Vec<HullPose>,
+    /// Whether the sea runs up to a coast, of which the maps tell.
+    pub has_coast: bool,
     /// Whether the picture may be drawn with the pipelines of the picture before while others are being compiled. A
     /// running sea may, so that new fog or clouds do not stop it; a still may not.
     pub may_keep_pipelines: bool,

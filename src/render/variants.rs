@@ -1,5 +1,6 @@
 //! Render pipelines specialised for the parts that a picture contains.
 
+use crate::gpu::Gpu;
 #[cfg(not(target_arch = "wasm32"))]
 use std::sync::{Arc, OnceLock};
 
@@ -83,6 +84,40 @@ impl<P: Copy + PartialEq> PipelineVariants<P> {
     }
 }
 
+/// A compute pipeline in two variants: for the open sea, and for a sea that runs up to a coast. A variant is compiled at
+/// its first use, that of the open sea at once.
+pub struct CoastalPipeline {
+    label: &'static str,
+    module: wgpu::ShaderModule,
+    layouts: Vec<wgpu::BindGroupLayout>,
+    made: [Option<wgpu::ComputePipeline>; 2],
+    has_coast: bool,
+}
+
+impl CoastalPipeline {
+    /// Compiles the entry point `main` of a module, for the open sea. `layouts` are those of the bind groups 0, 1, 2 ...
+    pub fn new(gpu: &Gpu, label: &'static str, module: wgpu::ShaderModule, layouts: &[&wgpu::BindGroupLayout]) -> Self {
+        let layouts = layouts.iter().map(|layout| (*layout).clone()).collect();
+        let mut pipeline = Self { label, module, layouts, made: [None, None], has_coast: false };
+        pipeline.select(gpu, false);
+        pipeline
+    }
+
+    /// Selects the variant for [`Self::selected`].
+    pub fn select(&mut self, gpu: &Gpu, has_coast: bool) {
+        self.has_coast = has_coast;
+        let layouts: Vec<_> = self.layouts.iter().collect();
+        let constants = [switch_constant("WATER_COAST", has_coast)];
+        self.made[usize::from(has_coast)]
+            .get_or_insert_with(|| gpu.compute_pipeline(self.label, (&self.module, "main"), &layouts, &constants));
+    }
+
+    /// The variant selected last.
+    pub fn selected(&self) -> Option<&wgpu::ComputePipeline> {
+        self.made[usize::from(self.has_coast)].as_ref()
+    }
+}
+
 /// Name and value (1 or 0) of the override constant that tells a shader whether the picture contains a part.
 pub fn switch_constant(name: &str, is_there: bool) -> (&str, f64) {
     (name, f64::from(u8::from(is_there)))
@@ -91,7 +126,6 @@ pub fn switch_constant(name: &str, is_there: bool) -> (&str, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::Gpu;
     use crate::gpu::kit::{AttachmentFormats, RenderProgram};
     use std::sync::mpsc;
 

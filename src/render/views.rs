@@ -4,6 +4,7 @@
 use super::scene::Scene;
 use super::targets::Targets;
 use super::targets::{DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, attachments};
+use super::variants::switch_constant;
 use super::water::light::WaterPass;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{BindingType, RenderProgram};
@@ -11,8 +12,8 @@ use crate::gpu::layout::gpu_struct;
 use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
-use crate::sim::Maps;
 use crate::sim::maps::MAX_CASCADES;
+use crate::sim::{MapCascade, Maps};
 use crate::state::views::{DisplayedView, MapView};
 use crate::waves::colour_scale::STOPS;
 use std::cmp::Reverse;
@@ -74,7 +75,8 @@ impl ViewUniform {
         };
         let foam = matches!(view.displayed, DisplayedView::Map(MapView::Foam | MapView::Source));
         // During a cross-fade only the new sea is shown.
-        let most = if foam { maps.foam_levels.len() } else { maps.current_cascades().len() };
+        let cascades: Vec<&MapCascade> = maps.current_ordinary_cascades().collect();
+        let most = if foam { maps.foam_levels.len() } else { cascades.len() };
         let cascade_layers = view.shown_layers(most);
         let (corners, side) = largest_squares(cascade_layers.len() as u32, size);
         let mut tiles = [ViewTile::default(); MAX_CASCADES];
@@ -83,7 +85,7 @@ impl ViewUniform {
             // The moments map stores slope moments in the unit `moment_unit`.
             let unit = match view.displayed {
                 DisplayedView::Map(MapView::MomentXx | MapView::MomentZz | MapView::MomentXz) => {
-                    maps.current_cascades()[layer].moment_unit
+                    cascades[layer].moment_unit
                 }
                 _ => 1.0,
             };
@@ -100,9 +102,9 @@ impl ViewUniform {
             // A spectrum is chosen by cascade, a surface view by drawn cascade, any other map by texture layer.
             let source = match view.displayed {
                 DisplayedView::Map(MapView::InitialSpectrum | MapView::Spectrum) => layer,
-                DisplayedView::Surface(_) => maps.fading_cascade_count + layer,
+                DisplayedView::Surface(_) => maps.cascades.len() - cascades.len() + layer,
                 _ if foam => layer,
-                _ => maps.current_cascades()[layer].layer as usize,
+                _ => cascades[layer].layer as usize,
             };
             *tile = ViewTile {
                 corner: corner.map(|x| x as f32),
@@ -150,11 +152,14 @@ pub struct FalseColourPass {
     map_pipeline: wgpu::RenderPipeline,
     surface_pipeline: wgpu::RenderPipeline,
     surface_group: wgpu::BindGroup,
+    /// Whether the surface runs up to a coast.
+    pub has_coast: bool,
 }
 
 impl FalseColourPass {
-    /// Compiles the passes of false-colour views. Views of the water surface draw the mesh of `water`.
-    pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass) -> Self {
+    /// Compiles the passes of false-colour views. Views of the water surface draw the mesh of `water`, of a sea that runs
+    /// up to a coast if `has_coast`.
+    pub fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, has_coast: bool) -> Self {
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let uniform = Uniform::<ViewUniform>::new(gpu, "view");
         let slot = BindingType::Uniform(size_of::<ViewUniform>());
@@ -181,13 +186,14 @@ impl FalseColourPass {
         let module = shaders.module(gpu, "views/surface");
         let [scene, maps, mesh] = water.mesh_layouts();
         let layouts = [scene, maps, mesh, &surface_layout];
+        let constants = [switch_constant("WATER_COAST", has_coast)];
         let surface_pipeline = gpu.render_pipeline(
             "view/surface",
-            &RenderProgram::new(&module),
+            &RenderProgram { constants: &constants, ..RenderProgram::new(&module) },
             &layouts,
             &attachments(&output.format(), DEPTH_TEST_OPAQUE),
         );
-        Self { uniform, map_layout, map_pipeline, surface_pipeline, surface_group }
+        Self { uniform, map_layout, map_pipeline, surface_pipeline, surface_group, has_coast }
     }
 
     /// Records the pass that draws the false-colour view selected in the scene's look into the HDR target.

@@ -42,6 +42,8 @@ const FFT: SourcePart = part!("waves/fft.wgsl");
 const WORKGROUP_FFT: SourcePart = part!("waves/workgroup_fft.wgsl");
 const EVOLVE: SourcePart = part!("waves/evolve.wgsl");
 const MIP_MEAN: SourcePart = part!("waves/mip_mean.wgsl");
+/// WGSL functions for the waves that a coast transforms.
+const COAST: SourcePart = part!("coast/waves.wgsl");
 const ATMOSPHERE: SourcePart = part!("sky/atmosphere.wgsl");
 const SKY_COMMON: SourcePart = part!("sky/common.wgsl");
 const VIEWS: SourcePart = part!("views/common.wgsl");
@@ -72,6 +74,7 @@ const SURFACE: SourcePart = SourcePart::Group(&[
     TILES,
     part!("water/mesh.wgsl"),
     part!("water/spline.wgsl"),
+    part!("water/coast.wgsl"),
     part!("water/surface.wgsl"),
     part!("water/breaker.wgsl"),
 ]);
@@ -126,6 +129,11 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("waves/unrolled_columns_first", &[FFT, part!("waves/unrolled_columns_first.wgsl")]),
     ("waves/unrolled_columns_second", &[FFT, part!("waves/unrolled_columns_second.wgsl")]),
     ("waves/unrolled_mips", &[SEA, MIP_MEAN, part!("waves/unrolled_mips.wgsl")]),
+    ("coast/split", &[COAST, part!("coast/split.wgsl")]),
+    ("coast/phasors", &[MATHS, SEA, COAST, part!("coast/phasors.wgsl")]),
+    ("coast/envelopes", &[MATHS, part!("coast/envelopes.wgsl")]),
+    ("coast/sum", &[MATHS, part!("coast/sum.wgsl")]),
+    ("coast/gradients", &[part!("coast/gradients.wgsl")]),
     ("foam/foam", &[MATHS, SEA, NOISE, TILES, part!("foam/foam.wgsl")]),
     ("sky/transmittance", &[AIR_TABLES, part!("sky/transmittance.wgsl")]),
     ("sky/multiple", &[AIR_TABLES, part!("sky/multiple.wgsl")]),

@@ -1,13 +1,16 @@
 //! Replaces a running simulation's plan, at once or by a transition, with only the work that the change needs.
 
 use super::Simulation;
+use super::coast::tables::{is_consistent, lattice_key};
 use super::foam::FoamParameters;
 use super::planned_sea::SeaUniformSource;
 use super::transition::{TransitionFrameProgress, TransitionKind};
+use crate::coast::Transfer;
 use crate::gpu::Gpu;
 use crate::shaders::Shaders;
 use crate::waves::overlap::SeaCovariance;
 use crate::waves::{Plan, SeaChange};
+use std::sync::Arc;
 
 impl Simulation {
     /// Replaces the simulated sea by that of `plan` at once and ends any transition. The foam on the water is kept,
@@ -18,19 +21,62 @@ impl Simulation {
         }
         if (plan.n, plan.cascades.len()) != (self.sea.plan.n, self.sea.plan.cascades.len()) {
             let (generation, timer) = (self.maps.view_generation + 1, self.timer.clone());
+            let transfer = self.transfer().cloned();
             *self = Self::with_fft_implementation(gpu, plan, shaders, self.passes.transform.implementation());
             (self.maps.view_generation, self.timer) = (generation, timer);
+            self.set_coast(gpu, shaders, transfer);
             return;
         }
         self.next = None;
         self.start_transition(gpu, plan, TransitionKind::Immediate, 0.0);
         self.apply_transition_step(&TransitionFrameProgress::IMMEDIATE);
         self.foam.note_sea_change();
+        if self.resources.coast.is_some() && !self.sea.has_coast {
+            self.set_coast(gpu, shaders, None);
+        }
+    }
+
+    /// Whether the current sea runs up to a coast.
+    pub fn has_coast(&self) -> bool {
+        self.sea.has_coast
+    }
+
+    /// Transfer functions of the coast up to which the current sea runs; None in the open sea.
+    pub fn transfer(&self) -> Option<&Arc<Transfer>> {
+        self.resources.coast.as_ref().filter(|_| self.sea.has_coast).map(|coast| &coast.transfer)
+    }
+
+    /// Lets the sea run up to the coast with these transfer functions, or with None be the open sea, from the next
+    /// [`Self::encode`] on. Ends a cross-fade. Transfer functions on the lattice of another sea than the present one are
+    /// not taken: the sea is then open, and the result is false. A later sea on another lattice is open, too.
+    pub fn set_coast(&mut self, gpu: &Gpu, shaders: &Shaders, transfer: Option<Arc<Transfer>>) -> bool {
+        let is_wanted = transfer.is_some();
+        let transfer = transfer.filter(|transfer| self.fits(transfer));
+        let has_coast = transfer.is_some();
+        if !has_coast && self.resources.coast.is_none() {
+            return !is_wanted;
+        }
+        if self.fading.is_some() {
+            self.transition.start(TransitionKind::Immediate);
+            self.apply_transition_step(&TransitionFrameProgress { ends_cross_fade: true, ..Default::default() });
+        }
+        self.sea.has_coast = has_coast;
+        self.resources.set_coast(gpu, &self.sea.plan, transfer);
+        self.passes.set_coast(gpu, shaders, &self.resources, &self.uniforms);
+        self.maps.set_coast(&self.sea.plan, &self.resources);
+        self.needs_split = has_coast;
+        self.foam.note_sea_change();
+        has_coast == is_wanted
+    }
+
+    /// Whether transfer functions are those of waves of the current sea.
+    fn fits(&self, transfer: &Transfer) -> bool {
+        self.sea.plan.has_coast && lattice_key(&self.sea.plan) == Some(transfer.lattice) && is_consistent(transfer)
     }
 
     /// Advances the running transition by `dt_s` seconds of wall time and returns its progress in this frame. If there
     /// is a `plan`, first starts a transition to its sea at simulated time `t_s`, s. Call this once per frame before
-    /// [`Self::encode`]. A plan with another FFT size, or with tiling switched on or off, replaces the sea at once.
+    /// [`Self::encode`]. A plan with another FFT size, or with tiling or a coast switched on or off, replaces the sea at once.
     ///
     /// Foam parameters, surface parameters (choppiness, water level) and wave amplitudes are interpolated. A sea with
     /// other wave numbers, frequencies or random numbers is cross-faded, for which memory for a second sea is allocated
@@ -47,7 +93,8 @@ impl Simulation {
         let mut start = None;
         if let Some(plan) = goal {
             self.next = None;
-            if (plan.n, plan.blends_copies) != (self.sea.plan.n, self.sea.plan.blends_copies) {
+            let tiling = |plan: &Plan| (plan.n, plan.blends_copies, plan.has_coast);
+            if tiling(&plan) != tiling(&self.sea.plan) {
                 self.set_plan(gpu, plan, shaders);
                 return TransitionFrameProgress::IMMEDIATE;
             }
@@ -97,6 +144,8 @@ impl Simulation {
         let is_fade = kind == TransitionKind::CrossFade;
         let are_maps_new = is_fade && self.resources.swap_seas(gpu, &plan);
         let old = std::mem::replace(&mut self.sea, SeaUniformSource::new(plan));
+        // The waves at the coast are those of the new sea, too, if it has them on the same lattice.
+        self.sea.has_coast = self.resources.coast.as_ref().is_some_and(|coast| self.fits(&coast.transfer));
         if is_fade {
             self.overlaps = SeaCovariance::for_all_cascades(&old.plan, &self.sea.plan, t_s).concat();
             self.fading = Some(old);
@@ -116,7 +165,7 @@ impl Simulation {
         if are_maps_new {
             self.maps.recreate_views(&self.resources);
         }
-        self.maps.start_transition(&self.sea.plan, &self.resources, kind);
+        self.maps.start_transition(&self.sea.plan, &self.resources, kind, self.sea.has_coast);
         if replaces_h0 {
             self.spectrum_blend = 1.0;
         }

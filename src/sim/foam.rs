@@ -232,11 +232,15 @@ impl FoamScheduler {
                 jacobian_threshold: source.jacobian_threshold as f32,
                 source_slope: source.source_slope as f32,
                 initial_foam: self.parameters.mean_foam as f32,
+                coast_uv: maps.coast.as_ref().map_or([0.0; 2], |coast| coast.square.uv(corner).map(|x| x as f32)),
+                coast_uv_per_cell: maps.coast.as_ref().map_or(0.0, |coast| (cell_m / coast.square.side_m) as f32),
+                unused: 0,
             }
         });
         let mut cascades = [FoamCascade::default(); MAX_DRAWN_CASCADES];
         for (out, cascade) in cascades.iter_mut().zip(&maps.cascades) {
-            *out = FoamCascade { patch_m: cascade.patch_m as f32, layer: cascade.layer, unused: [0; 2] };
+            let (patch_m, role) = (cascade.patch_m as f32, cascade.role as u32);
+            *out = FoamCascade { patch_m, layer: cascade.layer, role, unused: 0 };
         }
         FoamUniform {
             levels,

@@ -38,8 +38,8 @@ impl Simulation {
             return None;
         }
         let r = &self.resources;
-        let cascades = self.plan().cascades.len();
-        let mut copy = |kind| readback::stage_layers(gpu, encoder, &r.maps, 0, r.current_sea_layers(kind, cascades));
+        let layers = self.plan().cascades.len() + usize::from(self.sea.has_coast);
+        let mut copy = |kind| readback::stage_layers(gpu, encoder, &r.maps, 0, r.current_sea_layers(kind, layers));
         Some(PendingMapRead {
             displacement: copy(MapKind::Displacement),
             gradients: copy(MapKind::Gradients),
@@ -55,7 +55,8 @@ impl PendingMapRead {
     /// # Errors
     /// If mapping a read-back buffer fails.
     pub async fn read(self, gpu: &Gpu) -> Result<MapStatistics, String> {
-        let gradients = self.gradients.read_map(gpu).await?;
+        let (cascades, layer) = (self.plan.cascades.len(), (self.plan.n * self.plan.n) as usize);
+        let gradients = with_offshore_waves(self.gradients.read_map(gpu).await?, layer, cascades);
         let foam = self.foam.read_map(gpu).await?;
         // An odd stride visits all columns, because rows have a power of two texels.
         let stride = (gradients.len() / MAX_SLOPE_SAMPLES) | 1;
@@ -66,7 +67,7 @@ impl PendingMapRead {
         Ok(MapStatistics {
             mean_square_slope: maps * mean(samples.map(slope)),
             mean_foam: mean(foam.iter().map(|t| f64::from(t[0]))),
-            texels: self.displacement.read_map(gpu).await?,
+            texels: with_offshore_waves(self.displacement.read_map(gpu).await?, layer, cascades),
             plan: self.plan,
         })
     }
@@ -78,6 +79,16 @@ impl MapStatistics {
         let n = self.plan.n as usize;
         self.texels[(cascade * n + z) * n..][..n].iter().map(|t| f64::from(t[1]))
     }
+}
+
+/// Adds the maps of offshore waves, if there are any behind those of all cascades, to those of the first cascade, whose
+/// waves they are. Each cascade has `layer` texels.
+pub fn with_offshore_waves(mut texels: Vec<[f32; 4]>, layer: usize, cascades: usize) -> Vec<[f32; 4]> {
+    let offshore = texels.split_off((layer * cascades).min(texels.len()));
+    for (all, more) in texels.iter_mut().zip(offshore) {
+        *all = std::array::from_fn(|i| all[i] + more[i]);
+    }
+    texels
 }
 
 fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {

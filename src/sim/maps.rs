@@ -1,18 +1,23 @@
 //! Read-only result of the simulation: the displacement, gradient, slope-moment and foam maps for the renderer.
 
+use super::coast::square::{CoastSquare, SHORTEST_COASTAL_WAVE_TEXELS};
 use super::resources::{MapKind, Resources, array_view};
 use super::transition::{TransitionKind, cross_fade_amplitudes};
 use crate::gpu::layout::gpu_struct;
-use crate::waves::Plan;
 use crate::waves::overlap::SeaCovariance;
+use crate::waves::plan::{Cascade, Plan};
 use crate::waves::second_order::{BoundWaves, CascadeBoundWaves};
 use crate::waves::tiling::{SHIFT_STEPS_PER_PATCH_SIDE, Tiling, TriangleLatticePosition};
 use std::f64::consts::TAU;
 
 /// Largest number of cascades (patches of sea, each with an FFT of its own) of one sea.
 pub const MAX_CASCADES: usize = 4;
+/// Number of layers that a coast adds to the maps of a sea: the coastal waves of the open sea, and those at the coast.
+pub const COAST_LAYERS: usize = 2;
+/// Largest number of layers of each kind of map of one sea.
+pub const MAX_SEA_LAYERS: usize = MAX_CASCADES + COAST_LAYERS;
 /// Largest number of cascades that are drawn at once: those of the old and of the new sea of a cross-fade.
-pub const MAX_DRAWN_CASCADES: usize = 2 * MAX_CASCADES;
+pub const MAX_DRAWN_CASCADES: usize = 2 * MAX_SEA_LAYERS;
 
 gpu_struct! {
     /// WGSL `TileLatticePosition`: position of a point in the triangle lattice by which a patch covers the sea. Shaders
@@ -62,8 +67,12 @@ pub struct Maps {
     /// number of cycles per period is the wave's phase in units of 2^-32 cycles.
     pub period_fraction_u32: u32,
     /// Cascades that are drawn, longest waves first within each sea. During a cross-fade, the cascades of the old sea
-    /// come before those of the current sea.
+    /// come before those of the current sea. With a coast, each sea begins with the layers that the coast adds.
     pub cascades: Vec<MapCascade>,
+    /// The coast up to which the sea runs; None in the open sea.
+    pub coast: Option<MapCoast>,
+    /// Placeholder to bind where there is no coast: a texture of one texel.
+    pub no_coast: wgpu::TextureView,
     /// Number of entries at the start of `cascades` that belong to the old sea of a cross-fade; 0 without a cross-fade.
     pub fading_cascade_count: usize,
     /// Bound waves of the second order of the sea that fades out in a cross-fade, and of the current sea.
@@ -78,9 +87,35 @@ pub struct Maps {
     pub view_generation: u64,
 }
 
+/// What a layer of the maps holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CascadeRole {
+    /// The waves of a cascade, without those that a coast transforms.
+    #[default]
+    Ordinary,
+    /// Those waves of the first cascade that a coast transforms, as they are in the open sea.
+    Offshore,
+    /// The same waves as the coast makes them, in a square of the world that encloses the coast.
+    Coast,
+}
+
+/// What shaders need to know of a coast to sum the layers of the maps over it.
+#[derive(Clone, Debug)]
+pub struct MapCoast {
+    /// Factors of the layers at each point of `square`, which does not repeat: of ordinary cascades, of offshore waves, and
+    /// of waves at the coast (x, y, z), each 0 to 1; and the depth, m (w). Outside the square those of its edge hold.
+    pub gains: wgpu::TextureView,
+    /// Rolling foam on the fronts of breaking waves (x), 0 to 1, on the texels of the layer with the role `Coast`.
+    pub rollers: wgpu::TextureView,
+    /// Square of the world that encloses the coast.
+    pub square: CoastSquare,
+}
+
 /// What a shader needs to know to sample the maps of one cascade.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapCascade {
+    /// What the layer holds.
+    pub role: CascadeRole,
     /// Side of the square patch of sea that the cascade's maps cover, m.
     pub patch_m: f64,
     /// How the sea is covered with the cascade's patch: it repeats, or randomly shifted copies of it are blended.
@@ -133,7 +168,9 @@ impl Maps {
             h0: resources.current_waves().h0.clone(),
             wave_table: resources.current_waves().wave_table.clone(),
             period_fraction_u32: 0,
-            cascades: MapCascade::all_of_plan(plan, resources),
+            cascades: MapCascade::all_of_plan(plan, resources, false),
+            coast: None,
+            no_coast: resources.placeholder.clone(),
             fading_cascade_count: 0,
             bound_waves: [BoundWaves::default(), plan.bound_waves()],
             foam_levels: Vec::new(),
@@ -148,18 +185,44 @@ impl Maps {
         &self.cascades[self.fading_cascade_count..]
     }
 
-    /// Bound waves of the second order of each entry of `cascades`.
+    /// Bound waves of the second order of each entry of `cascades`. Offshore waves are part of the first cascade, whose
+    /// entry counts for the products of both; most of its waves are offshore waves, so that they get its level. Waves at the
+    /// coast have none.
     pub fn bound_waves_of_cascades(&self) -> impl Iterator<Item = CascadeBoundWaves> + '_ {
-        let of_sea = |sea: usize, count| {
-            (0..count).map(move |i| self.bound_waves[sea].cascades.get(i).copied().unwrap_or_default())
+        let of_sea = |sea: usize, cascades: &[MapCascade]| -> Vec<CascadeBoundWaves> {
+            let mut ordinary = self.bound_waves[sea].cascades.iter();
+            let mut level_m = None;
+            let mut of = |cascade: &MapCascade| match cascade.role {
+                CascadeRole::Ordinary => {
+                    let own = ordinary.next().copied().unwrap_or_default();
+                    CascadeBoundWaves { level_m: level_m.take().map_or(own.level_m, |_| 0.0), ..own }
+                }
+                CascadeRole::Offshore => {
+                    level_m = ordinary.clone().next().map(|own| own.level_m);
+                    CascadeBoundWaves { level_m: level_m.unwrap_or_default(), ..CascadeBoundWaves::default() }
+                }
+                CascadeRole::Coast => CascadeBoundWaves::default(),
+            };
+            cascades.iter().map(&mut of).collect()
         };
-        let fading = self.fading_cascade_count;
-        of_sea(0, fading).chain(of_sea(1, self.cascades.len() - fading))
+        let (fading, own) = self.cascades.split_at(self.fading_cascade_count);
+        [of_sea(0, fading), of_sea(1, own)].concat().into_iter()
+    }
+
+    /// The ordinary cascades of the current sea, in the order of its plan.
+    pub fn current_ordinary_cascades(&self) -> impl Iterator<Item = &MapCascade> {
+        MapCascade::ordinary(self.current_cascades())
     }
 
     /// Updates the drawn cascades when a transition to `plan`, with equal FFT size, starts. A cross-fade adds those of
     /// the new sea; `Amplitudes` replaces those of the current sea, and `Immediate` all; other kinds change nothing.
-    pub(super) fn start_transition(&mut self, plan: &Plan, resources: &Resources, kind: TransitionKind) {
+    pub(super) fn start_transition(
+        &mut self,
+        plan: &Plan,
+        resources: &Resources,
+        kind: TransitionKind,
+        has_coast: bool,
+    ) {
         match kind {
             TransitionKind::Foam | TransitionKind::Surface => return,
             TransitionKind::Immediate => {
@@ -174,18 +237,20 @@ impl Maps {
                 self.bound_waves[0] = std::mem::replace(&mut self.bound_waves[1], plan.bound_waves());
             }
         }
-        self.cascades.extend(MapCascade::all_of_plan(plan, resources));
+        self.cascades.extend(MapCascade::all_of_plan(plan, resources, has_coast));
         (self.h0, self.wave_table) =
             (resources.current_waves().h0.clone(), resources.current_waves().wave_table.clone());
     }
 
     /// Sets amplitude factor and variance correction of each drawn cascade in a cross-fade. `overlaps` has an entry per
-    /// drawn cascade, the covariance of both seas; `new_sea_weight` is the new sea's fraction of the sum of both
-    /// elevation variances.
+    /// ordinary cascade, the covariance of both seas, which holds for the layers of a coast before it, too;
+    /// `new_sea_weight` is the new sea's fraction of the sum of both elevation variances.
     pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[SeaCovariance], new_sea_weight: f64) {
         let fading = self.fading_cascade_count;
+        let mut ordinary = 0;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
-            let overlap = overlaps.get(i).copied().unwrap_or_default();
+            let overlap = overlaps.get(ordinary).copied().unwrap_or_default();
+            ordinary += usize::from(cascade.role == CascadeRole::Ordinary);
             let ([old, new], variance_correction) = cross_fade_amplitudes(&overlap, new_sea_weight);
             (cascade.cross_fade_amplitude_factor, cascade.cross_fade_variance_factor) =
                 (if i < fading { old } else { new } as f32, variance_correction as f32);
@@ -196,6 +261,18 @@ impl Maps {
     pub(super) fn end_cross_fade(&mut self) {
         self.cascades.drain(..self.fading_cascade_count);
         self.fading_cascade_count = 0;
+    }
+
+    /// Draws the current sea alone, with or without the layers of a coast, after a coast has come or gone.
+    pub(super) fn set_coast(&mut self, plan: &Plan, resources: &Resources) {
+        self.coast = resources.coast.as_ref().map(|coast| MapCoast {
+            gains: coast.gains.clone(),
+            rollers: coast.rollers_view(),
+            square: coast.square,
+        });
+        self.fading_cascade_count = 0;
+        self.cascades = MapCascade::all_of_plan(plan, resources, self.coast.is_some());
+        self.recreate_views(resources);
     }
 
     /// Creates the texture views of the maps anew after their texture has been replaced, and increases
@@ -209,26 +286,47 @@ impl Maps {
 }
 
 impl MapCascade {
-    fn all_of_plan(plan: &Plan, resources: &Resources) -> Vec<Self> {
-        (resources.first_layer()..)
-            .zip(&plan.cascades)
-            .map(|(layer, c)| {
-                // Half the mean square slope is the mean variance of one slope component: moments in this unit are near
-                // 1.
-                let mss = plan.spectrum_integrals.mss_between_wave_numbers(c.k_low, c.k_high);
-                let moment_unit = if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 };
-                let shortest_wavelength_m = TAU / c.k_high.max(c.dk());
-                Self {
-                    patch_m: c.patch_m,
-                    tiling: plan.tiling(c),
-                    shortest_wavelength_m,
-                    moment_unit,
-                    layer,
-                    cross_fade_amplitude_factor: 1.0,
-                    cross_fade_variance_factor: 1.0,
-                }
-            })
-            .collect()
+    /// Those of the given cascades that are cascades of a plan, not layers that a coast adds.
+    pub fn ordinary(cascades: &[Self]) -> impl Iterator<Item = &Self> {
+        cascades.iter().filter(|cascade| cascade.role == CascadeRole::Ordinary)
+    }
+
+    /// Entries of a plan's sea. A coast's layers come first in the list, but last in the textures.
+    fn all_of_plan(plan: &Plan, resources: &Resources, has_coast: bool) -> Vec<Self> {
+        let first = resources.first_layer();
+        let ordinary: Vec<Self> =
+            (first..).zip(&plan.cascades).map(|(layer, c)| Self::of_plan(plan, c, layer)).collect();
+        let (Some(coast), Some(longest)) = (resources.coast.as_ref().filter(|_| has_coast), ordinary.first()) else {
+            return ordinary;
+        };
+        let layer = first + ordinary.len() as u32;
+        let square = coast.square;
+        let texel_m = square.side_m / f64::from(resources.n);
+        let at_coast = Self {
+            role: CascadeRole::Coast,
+            patch_m: square.side_m,
+            tiling: Tiling::new(square.side_m, 0, plan.sea.seed, false),
+            shortest_wavelength_m: SHORTEST_COASTAL_WAVE_TEXELS * texel_m,
+            layer: layer + 1,
+            ..*longest
+        };
+        let offshore = Self { role: CascadeRole::Offshore, layer, ..*longest };
+        [at_coast, offshore].into_iter().chain(ordinary.iter().copied()).collect()
+    }
+
+    fn of_plan(plan: &Plan, c: &Cascade, layer: u32) -> Self {
+        // Half the mean square slope is the mean variance of one slope component: moments in this unit are near 1.
+        let mss = plan.spectrum_integrals.mss_between_wave_numbers(c.k_low, c.k_high);
+        Self {
+            role: CascadeRole::Ordinary,
+            patch_m: c.patch_m,
+            tiling: plan.tiling(c),
+            shortest_wavelength_m: TAU / c.k_high.max(c.dk()),
+            moment_unit: if mss > 1e-12 { 0.5 * mss as f32 } else { 1.0 },
+            layer,
+            cross_fade_amplitude_factor: 1.0,
+            cross_fade_variance_factor: 1.0,
+        }
     }
 }
 

@@ -2,9 +2,11 @@
 //!
 //! Every frame runs a row pass and a column pass, which are the FFT of the waves of all cascades, then the mip levels,
 //! then one time step of the foam. The spectrum pass runs only when the waves change. [`Maps`] is the read-only result.
-//! During a cross-fade (`transition`) two seas are evaluated one after the other into different layers of the maps.
+//! During a cross-fade (`transition`) two seas are evaluated one after the other into different layers of the maps. With a
+//! `coast`, some of the waves have layers of their own.
 
 mod change;
+pub mod coast;
 pub mod foam;
 pub mod map_statistics;
 pub mod maps;
@@ -15,7 +17,7 @@ pub mod transform;
 pub mod transition;
 pub mod uniforms;
 
-pub use maps::{FoamLevel, MapCascade, Maps, MapsF32};
+pub use maps::{CascadeRole, FoamLevel, MapCascade, MapCoast, Maps, MapsF32};
 
 use crate::gpu::Gpu;
 use crate::gpu::readback;
@@ -24,6 +26,7 @@ use crate::shaders::Shaders;
 use crate::waves::Plan;
 use crate::waves::overlap::SeaCovariance;
 use foam::{FoamParameters, FoamScheduler, FoamStep};
+use map_statistics::with_offshore_waves;
 use passes::Passes;
 use planned_sea::{SeaDispatch, SeaUniformParameters, SeaUniformSource};
 use resources::Resources;
@@ -56,6 +59,8 @@ pub struct Simulation {
     /// Fraction of the way that the next spectrum pass moves the Fourier amplitudes h0 in their buffer towards those of
     /// the plan: 1 replaces them; with 0 the pass is left out.
     spectrum_blend: f64,
+    /// Whether the amplitudes h0 are to be parted for a coast anew, though the spectrum pass is left out.
+    needs_split: bool,
     /// Whether the foam is computed anew when the running transition ends.
     restarts_foam: bool,
     spectrum_pass_count: u64,
@@ -96,13 +101,14 @@ impl Simulation {
             foam,
             foam_parameters: Interpolated::new(parameters),
             spectrum_blend: 1.0,
+            needs_split: false,
             restarts_foam: false,
             spectrum_pass_count: 0,
             timer: Timer::default(),
         }
     }
 
-    /// Sets the timer that measures the GPU times of the passes "spectrum", "rows", "columns", "mips" and "foam".
+    /// Sets the timer that measures the GPU times of the passes "spectrum", "rows", "columns", "coast", "mips" and "foam".
     pub fn set_timer(&mut self, timer: Timer) {
         self.timer = timer;
     }
@@ -193,11 +199,13 @@ impl Simulation {
         self.uniforms.upload(gpu);
     }
 
-    /// Computes the maps at time `t_s`, s, and reads back the current sea's, as f32 before rounding for textures.
+    /// Computes the maps at time `t_s`, s, and reads back the current sea's, as f32 before rounding for textures. They are
+    /// those of the open sea, also if it runs up to a coast.
     ///
     /// # Errors
     /// If mapping the read-back buffer fails.
     pub async fn read_maps_f32(&mut self, gpu: &Gpu, t_s: f64) -> Result<MapsF32, String> {
+        let offshore = if self.sea.has_coast { self.read_offshore_f32(gpu, t_s).await? } else { Vec::new() };
         let mut encoder = gpu.encoder("read maps");
         self.encode_with_f32_maps(gpu, &mut encoder, t_s);
         let staging = readback::stage_buffer(gpu, &mut encoder, &self.resources.row_transforms);
@@ -207,7 +215,24 @@ impl Simulation {
         let mut texels = bytemuck::pod_collect_to_vec(&bytes);
         // The buffer is larger if it has been allocated for a cross-fade.
         texels.truncate(2 * n * n * self.plan().cascades.len());
-        Ok(MapsF32 { n, texels })
+        texels.extend(offshore);
+        Ok(MapsF32 { n, texels: with_offshore_waves(texels, 2 * n * n, self.plan().cascades.len()) })
+    }
+
+    /// Reads back the maps, displacement and then gradients, of the waves that a coast transforms in the open sea, in f32.
+    async fn read_offshore_f32(&mut self, gpu: &Gpu, t_s: f64) -> Result<Vec<[f32; 4]>, String> {
+        let mut encoder = gpu.encoder("read maps");
+        self.begin_submission(&mut encoder, t_s);
+        let parameters = SeaUniformParameters { t_s, keeps_f32_maps: true, spectrum_blend: 1.0 };
+        if let (_, Some(offshore)) = self.add_sea_uniforms(parameters, false) {
+            self.encode_transform(&mut encoder, offshore);
+        }
+        let staging = readback::stage_buffer(gpu, &mut encoder, &self.resources.row_transforms);
+        self.uniforms.upload(gpu);
+        gpu.submit(encoder);
+        let mut texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&readback::read(gpu, staging).await?);
+        texels.truncate(2 * (self.resources.n * self.resources.n) as usize);
+        Ok(texels)
     }
 
     /// Uploads the uniform for the current sea's waves at time `t_s`, s, so that passes can be run alone. With
@@ -215,7 +240,8 @@ impl Simulation {
     /// are.
     pub fn upload_sea_uniform(&mut self, gpu: &Gpu, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
         self.uniforms.sea.clear();
-        let dispatch = self.add_sea_uniform(SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 }, false);
+        let parameters = SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 };
+        let (dispatch, _) = self.add_sea_uniforms(parameters, false);
         self.uniforms.sea.upload(gpu);
         dispatch
     }
@@ -235,13 +261,20 @@ impl Simulation {
     fn begin_submission(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64) {
         self.uniforms.clear();
         if self.spectrum_blend > 0.0 {
-            let dispatch = self.add_sea_uniform(
+            let (dispatch, _) = self.add_sea_uniforms(
                 SeaUniformParameters { t_s, keeps_f32_maps: false, spectrum_blend: self.spectrum_blend },
                 false,
             );
             self.passes.spectrum.run(encoder, &self.timer, &self.resources, dispatch);
             self.spectrum_blend = 0.0;
             self.spectrum_pass_count += 1;
+            self.needs_split = true;
+        }
+        if std::mem::take(&mut self.needs_split)
+            && let Some(coast) = &self.passes.coast
+        {
+            let index = self.resources.current_wave_buffers_index;
+            coast.record_split(encoder, &self.timer, &self.resources, index);
         }
     }
 
@@ -259,25 +292,43 @@ impl Simulation {
     fn encode_waves(&mut self, encoder: &mut wgpu::CommandEncoder, t_s: f64, keeps_f32_maps: bool) -> SeaDispatch {
         let parameters = SeaUniformParameters { t_s, keeps_f32_maps, spectrum_blend: 1.0 };
         if self.fading.is_some() {
-            let dispatch = self.add_sea_uniform(parameters, true);
-            self.encode_wave_passes(encoder, dispatch);
+            self.encode_wave_passes(encoder, parameters, true);
         }
-        let dispatch = self.add_sea_uniform(parameters, false);
         self.maps.period_fraction_u32 = self.sea.plan.period_fraction_u32(t_s);
-        self.encode_wave_passes(encoder, dispatch);
+        self.encode_wave_passes(encoder, parameters, false)
+    }
+
+    fn encode_wave_passes(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        parameters: SeaUniformParameters,
+        fades: bool,
+    ) -> SeaDispatch {
+        let (dispatch, offshore) = self.add_sea_uniforms(parameters, fades);
+        if let Some(offshore) = offshore {
+            self.encode_transform(encoder, offshore);
+        }
+        self.encode_transform(encoder, dispatch);
+        if let (Some(coast), Some(_)) = (&self.passes.coast, offshore) {
+            coast.record(encoder, &self.timer, &self.resources, dispatch);
+        }
+        self.passes.mips.run(encoder, &self.timer, &self.resources, dispatch);
         dispatch
     }
 
-    fn encode_wave_passes(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
+    fn encode_transform(&self, encoder: &mut wgpu::CommandEncoder, dispatch: SeaDispatch) {
         self.passes.transform.record_rows(encoder, &self.timer, dispatch);
         self.passes.transform.record_columns(encoder, &self.timer, &self.resources, dispatch);
-        self.passes.mips.run(encoder, &self.timer, &self.resources, dispatch);
     }
 
     /// Adds the uniform that describes one sea's waves at one time to the buffer `uniforms.sea`: those of the current
     /// sea or, if `fades`, of a cross-fade's old sea. Returns its offset there, and the sea's wave buffers and map
-    /// layers.
-    fn add_sea_uniform(&mut self, parameters: SeaUniformParameters, fades: bool) -> SeaDispatch {
+    /// layers; with a coast, also those for the waves that it transforms.
+    fn add_sea_uniforms(
+        &mut self,
+        parameters: SeaUniformParameters,
+        fades: bool,
+    ) -> (SeaDispatch, Option<SeaDispatch>) {
         let (fading, own) = self.maps.cascades.split_at(self.maps.fading_cascade_count);
         let current = self.resources.current_wave_buffers_index;
         let (sea, maps, waves) = match &self.fading {
@@ -285,12 +336,25 @@ impl Simulation {
             _ => (&self.sea, own, current),
         };
         let uniform = sea.uniform(maps, self.foam.parameters().choppiness, parameters);
-        SeaDispatch {
+        let all = SeaDispatch {
             uniform_offset: self.uniforms.sea.add(&uniform),
             cascade_count: uniform.cascade_count,
+            layer_count: maps.len() as u32,
             wave_buffers_index: waves,
+            is_offshore: false,
             first_layer: uniform.first_layer,
             keeps_f32_maps: parameters.keeps_f32_maps,
-        }
+        };
+        let offshore = sea.has_coast.then(|| {
+            let uniform = sea.offshore_uniform(&uniform);
+            SeaDispatch {
+                uniform_offset: self.uniforms.sea.add(&uniform),
+                cascade_count: uniform.cascade_count,
+                is_offshore: true,
+                first_layer: uniform.first_layer,
+                ..all
+            }
+        });
+        (all, offshore)
     }
 }

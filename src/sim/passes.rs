@@ -1,5 +1,7 @@
 //! Compute passes of the simulation, in the order of a frame. A pass has a pipeline, bind groups and a dispatch size.
 
+use super::coast::passes::CoastPasses;
+use super::coast::resources::CoastResources;
 use super::planned_sea::SeaDispatch;
 use super::resources::{MapKind, Resources, WaveBuffers, array_view, create_array_texture};
 use super::transform::{FftImplementation, Transform};
@@ -18,6 +20,8 @@ pub struct Passes {
     pub transform: Transform,
     /// Pass that computes all smaller mip levels of the displacement and gradient maps, and the slope moments.
     pub mips: MipsPass,
+    /// Passes that compute the waves at a coast; None in the open sea.
+    pub coast: Option<CoastPasses>,
     /// Pass that advances the foam of all foam levels (nested square grids) by one time step.
     pub foam: FoamPass,
 }
@@ -36,6 +40,7 @@ impl Passes {
             spectrum: SpectrumPass::new(gpu, shaders, r, uniforms),
             transform: Transform::new(gpu, shaders, implementation, r, uniforms),
             mips: MipsPass::new(gpu, shaders, implementation, r, uniforms),
+            coast: CoastPasses::new(gpu, shaders, r, uniforms),
             foam: FoamPass::new(gpu, shaders, r, uniforms),
         }
     }
@@ -45,11 +50,23 @@ impl Passes {
         self.transform.dispatch_count() + self.mips.steps.len() as u32 + 1
     }
 
+    /// Compiles the passes that a coast changes or adds, after `r` has got another coast or none, and renews all bind
+    /// groups.
+    pub fn set_coast(&mut self, gpu: &Gpu, shaders: &Shaders, r: &Resources, uniforms: &SimulationUniforms) {
+        let shaders = &shaders.clone().with_structs(SHARED_STRUCTS);
+        if self.coast.is_some() != r.coast.is_some() {
+            self.coast = CoastPasses::new(gpu, shaders, r, uniforms);
+            self.foam = FoamPass::new(gpu, shaders, r, uniforms);
+        }
+        self.recreate_bind_groups(gpu, r, uniforms);
+    }
+
     /// Creates the bind groups of all passes anew. Call this after buffers or textures of `r` have been replaced.
     pub fn recreate_bind_groups(&mut self, gpu: &Gpu, r: &Resources, uniforms: &SimulationUniforms) {
         self.spectrum.recreate_bind_groups(gpu, r, uniforms);
         self.transform.recreate_bind_groups(gpu, r, uniforms);
         self.mips.recreate_bind_groups(gpu, r, uniforms);
+        self.coast.iter_mut().for_each(|coast| coast.recreate_bind_groups(gpu, r, uniforms));
         self.foam.recreate_bind_groups(gpu, r, uniforms);
     }
 }
@@ -188,7 +205,7 @@ impl MipsPass {
                 timer.compute_pass("mips"),
                 &step.group,
                 &[dispatch.uniform_offset],
-                [groups, groups, dispatch.cascade_count],
+                [groups, groups, dispatch.layer_count],
             );
         }
     }
@@ -211,13 +228,18 @@ impl FoamPass {
             BindingType::Sampler,
             BindingType::StorageReadWrite(0),
             BindingType::StorageTextureArray(r.format.texture_format()),
+            BindingType::Texture,
+            BindingType::Texture,
         ];
-        let kernel = Kernel::new(gpu, "sea/foam", (&module, "main"), &bindings, &[]);
+        let constants = [("FOAM_COAST", f64::from(u8::from(r.coast.is_some())))];
+        let kernel = Kernel::new(gpu, "sea/foam", (&module, "main"), &bindings, &constants);
         let group = Self::create_bind_group(gpu, &kernel, r, uniforms);
         Self { kernel, group }
     }
 
     fn create_bind_group(gpu: &Gpu, kernel: &Kernel, r: &Resources, uniforms: &SimulationUniforms) -> wgpu::BindGroup {
+        let rollers = r.coast.as_ref().map_or_else(|| r.placeholder.clone(), CoastResources::rollers_view);
+        let gains = r.coast.as_ref().map_or(&r.placeholder, |coast| &coast.gains);
         kernel.bind(
             gpu,
             &[
@@ -228,6 +250,8 @@ impl FoamPass {
                 wgpu::BindingResource::Sampler(&r.repeating_sampler),
                 r.foam_history.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&array_view(&r.foam, Some(0))),
+                wgpu::BindingResource::TextureView(gains),
+                wgpu::BindingResource::TextureView(&rollers),
             ],
         )
     }

@@ -1,7 +1,9 @@
 //! GPU buffers and textures of a simulation. They are allocated for an FFT size and a number of cascades, and enlarged
-//! to hold two seas at the first cross-fade.
+//! to hold two seas at the first cross-fade, and the waves at a coast.
 
-use super::maps::{MAX_CASCADES, MAX_DRAWN_CASCADES};
+use super::coast::resources::CoastResources;
+use super::maps::{COAST_LAYERS, MAX_CASCADES, MAX_SEA_LAYERS};
+use crate::coast::Transfer;
 use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::readback::{self, StagedTexture};
@@ -11,6 +13,7 @@ use crate::waves::foam::FOAM_LEVEL_COUNT;
 use crate::waves::lattice::LatticeWave;
 use crate::waves::table::{self, SpectrumTable};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Side of the smallest mip level that the wave maps have, texels.
 const SMALLEST_MIP_SIDE: u32 = 4;
@@ -58,6 +61,10 @@ pub struct Resources {
     /// plume of bubbles (x, z, w), each 0 to 1, and the excess over the breaking criterion (y), of which 1 to 2 is the
     /// foam source from 0 to 1.
     pub foam: wgpu::Texture,
+    /// The coast up to which the sea runs; None in the open sea.
+    pub coast: Option<CoastResources>,
+    /// Texture of one texel, to be bound where there is no coast.
+    pub placeholder: wgpu::TextureView,
     /// Sampler with linear filtering that repeats along both axes, with which the foam pass reads the wave maps.
     pub repeating_sampler: wgpu::Sampler,
     /// Number of times that buffers or textures have been allocated so far; tests check when it grows.
@@ -78,9 +85,34 @@ pub struct WaveBuffers {
     pub wave_table: wgpu::Buffer,
     /// Fourier amplitudes h0 of the waves at time 0, m: complex f32, \[cascade\]\[iz\]\[ix\] in FFT order.
     pub h0: wgpu::Buffer,
+    /// With a coast, the same amplitudes in two parts.
+    pub split: Option<SplitAmplitudes>,
+}
+
+/// Fourier amplitudes h0, parted into those of the waves that a coast transforms and those of all others.
+#[derive(Debug)]
+pub struct SplitAmplitudes {
+    /// All other waves, \[cascade\]\[iz\]\[ix\].
+    pub others: wgpu::Buffer,
+    /// The waves of the first cascade that the coast transforms, \[iz\]\[ix\].
+    pub offshore: wgpu::Buffer,
+}
+
+impl SplitAmplitudes {
+    fn new(gpu: &Gpu, h0: &wgpu::Buffer, n: u32) -> Self {
+        Self {
+            others: gpu.storage_buffer("h0/others", h0.size()),
+            offshore: gpu.storage_buffer("h0/offshore", 8 * point_count(n)),
+        }
+    }
 }
 
 impl WaveBuffers {
+    /// Amplitudes that the row pass reads: of all waves or, with a coast, of those that it leaves alone.
+    pub fn row_input(&self) -> &wgpu::Buffer {
+        self.split.as_ref().map_or(&self.h0, |split| &split.others)
+    }
+
     fn new(gpu: &Gpu, plan: &Plan, cascades: usize) -> Self {
         let entries = (table::entry_count(plan.n) * cascades) as u64;
         let quadruples = table::directional_terms(plan).1 as u64;
@@ -88,6 +120,7 @@ impl WaveBuffers {
             spectrum_table: gpu.storage_buffer("spectrum table", 16 * entries * quadruples),
             wave_table: gpu.storage_buffer("wave table", 8 * entries),
             h0: gpu.storage_buffer("h0", 8 * point_count(plan.n) * cascades as u64),
+            split: None,
         }
     }
 }
@@ -116,6 +149,8 @@ impl Resources {
             format,
             maps: create_map_texture(gpu, n, cascades, format),
             foam: create_array_texture(gpu, "foam", [foam_n, foam_n, FOAM_LEVEL_COUNT as u32], 1, format),
+            coast: None,
+            placeholder: create_placeholder(gpu, format),
             repeating_sampler: gpu.sampler("repeat", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear),
             allocation_count: 1,
             wave_table_count: 0,
@@ -127,9 +162,39 @@ impl Resources {
         &self.wave_buffers[self.current_wave_buffers_index]
     }
 
-    /// Index of the layer of the current sea's first cascade, the same for each kind of map: 0 or `MAX_CASCADES`.
+    /// Index of the layer of the current sea's first cascade, the same for each kind of map: 0, or behind all layers that
+    /// the other sea of a cross-fade can have.
     pub fn first_layer(&self) -> u32 {
-        (self.current_wave_buffers_index * MAX_CASCADES) as u32
+        (self.current_wave_buffers_index * self.most_layers_per_sea()) as u32
+    }
+
+    /// Largest number of layers of a kind of map that a sea has: with a coast, it adds its own.
+    fn most_layers_per_sea(&self) -> usize {
+        if self.coast.is_some() { MAX_SEA_LAYERS } else { MAX_CASCADES }
+    }
+
+    /// Allocates what a coast with the given transfer functions needs and fills it, or with None frees that. The maps are
+    /// new textures without contents. All bind groups must be renewed.
+    pub fn set_coast(&mut self, gpu: &Gpu, plan: &Plan, transfer: Option<Arc<Transfer>>) {
+        self.coast = transfer.map(|transfer| CoastResources::new(gpu, transfer, self.n, self.format));
+        let added = if self.coast.is_some() { COAST_LAYERS } else { 0 };
+        let layers =
+            if self.wave_buffers.len() == 1 { plan.cascades.len() + added } else { 2 * self.most_layers_per_sea() };
+        if self.layers_of_kind(MapKind::Displacement).end != layers as u32 {
+            self.maps = create_map_texture(gpu, self.n, layers, self.format);
+        }
+        self.allocate_split(gpu);
+        self.allocation_count += 1;
+    }
+
+    /// Gives all sets of wave buffers parted amplitudes as large as their own if there is a coast, else none.
+    fn allocate_split(&mut self, gpu: &Gpu) {
+        for waves in &mut self.wave_buffers {
+            waves.split = waves.split.take().filter(|s| self.coast.is_some() && s.others.size() == waves.h0.size());
+            if self.coast.is_some() && waves.split.is_none() {
+                waves.split = Some(SplitAmplitudes::new(gpu, &waves.h0, self.n));
+            }
+        }
     }
 
     /// Makes the other set of wave buffers current when a cross-fade to `plan` starts. The first call allocates it, and
@@ -139,12 +204,22 @@ impl Resources {
         let is_first = self.wave_buffers.len() == 1;
         if is_first {
             self.wave_buffers.push(WaveBuffers::new(gpu, plan, MAX_CASCADES));
-            self.maps = create_map_texture(gpu, self.n, MAX_DRAWN_CASCADES, self.format);
+            self.maps = create_map_texture(gpu, self.n, 2 * self.most_layers_per_sea(), self.format);
+            self.allocate_split(gpu);
             self.row_transforms = gpu.storage_buffer("row transforms", row_transform_bytes(self.n, MAX_CASCADES));
             self.allocation_count += 1;
         }
         self.current_wave_buffers_index = 1 - self.current_wave_buffers_index;
         is_first
+    }
+
+    /// Amplitudes h0 and wave table, one pair for each computation of waves by the row pass: for each set of wave buffers
+    /// its waves and, with a coast, those that it transforms. [`row_input_index`] finds them.
+    pub fn row_inputs(&self) -> impl Iterator<Item = [&wgpu::Buffer; 2]> {
+        self.wave_buffers.iter().flat_map(|waves| {
+            let offshore = waves.split.as_ref().map_or(&waves.h0, |split| &split.offshore);
+            [[waves.row_input(), &waves.wave_table], [offshore, &waves.wave_table]]
+        })
     }
 
     /// Number of mip levels of the texture `maps`, with level 0.
@@ -211,11 +286,19 @@ impl Resources {
             sea.wave_table = gpu.storage_buffer("wave table", (8 * table::entry_count(self.n) * MAX_CASCADES) as u64);
             sea.h0 = gpu.storage_buffer("h0", 8 * point_count(self.n) * MAX_CASCADES as u64);
         }
+        self.allocate_split(gpu);
         self.allocation_count += u32::from(needs_spectrum_table || needs_waves);
+        let sea = &self.wave_buffers[self.current_wave_buffers_index];
         gpu.queue.write_buffer(&sea.spectrum_table, 0, bytemuck::cast_slice(&values));
         gpu.queue.write_buffer(&sea.wave_table, 0, bytemuck::cast_slice(&waves));
         needs_spectrum_table || needs_waves
     }
+}
+
+/// Index in [`Resources::row_inputs`] of the waves of the set of buffers `wave_buffers_index`, or of those that a coast
+/// transforms.
+pub fn row_input_index(wave_buffers_index: usize, is_offshore: bool) -> usize {
+    2 * wave_buffers_index + usize::from(is_offshore)
 }
 
 fn point_count(n: u32) -> u64 {
@@ -229,6 +312,13 @@ fn row_transform_bytes(n: u32, cascades: usize) -> u64 {
 fn create_map_texture(gpu: &Gpu, n: u32, cascades: usize, format: MapFormat) -> wgpu::Texture {
     let mips = (n / SMALLEST_MIP_SIDE).ilog2() + 1;
     create_array_texture(gpu, "maps", [n, n, MAP_KIND_COUNT * cascades as u32], mips, format)
+}
+
+fn create_placeholder(gpu: &Gpu, format: MapFormat) -> wgpu::TextureView {
+    create_array_texture(gpu, "placeholder", [1; 3], 1, format).create_view(&wgpu::TextureViewDescriptor {
+        dimension: Some(wgpu::TextureViewDimension::D2),
+        ..Default::default()
+    })
 }
 
 /// Creates an array texture with `mips` mip levels that shaders read and write. `size` is width, height and layers.

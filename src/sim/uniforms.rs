@@ -1,6 +1,7 @@
 //! The uniform structs of the simulation's passes, and the buffers that hold them.
 
-use super::maps::{MAX_CASCADES, MAX_DRAWN_CASCADES, TileLatticePosition};
+use super::coast::uniform::CoastUniform;
+use super::maps::{MAX_CASCADES, MAX_DRAWN_CASCADES, MAX_SEA_LAYERS, TileLatticePosition};
 use crate::gpu::Gpu;
 use crate::gpu::kit::BindingType;
 use crate::gpu::layout::{StructDeclaration, gpu_struct};
@@ -24,8 +25,9 @@ impl SimulationUniforms {
 
     /// Allocates both uniform buffers for submissions of at most `foam_steps` foam time steps, with the waves of each.
     pub fn new(gpu: &Gpu, foam_steps: usize) -> Self {
-        // For two seas, one evaluation per foam time step and one without foam; besides, one for the spectrum pass.
-        let evaluations = 2 * (foam_steps + 1) + 1;
+        // For two seas, two evaluations (one for the waves that a coast transforms) per foam time step and without foam;
+        // besides, one for the spectrum pass.
+        let evaluations = 4 * (foam_steps + 1) + 1;
         Self {
             sea: DynamicUniformBuffer::new(gpu, "sea", evaluations),
             foam: DynamicUniformBuffer::new(gpu, "foam", foam_steps),
@@ -80,8 +82,9 @@ gpu_struct! {
     /// WGSL `Sea`: the uniform of all passes of the simulation, which describes one sea's waves at one time.
     #[derive(Default)]
     pub struct SeaUniform as "Sea" {
-        /// Cascades (patches of sea) of one sea, longest waves first; the first `cascade_count` are used.
-        pub cascades: [SeaCascade; MAX_CASCADES],
+        /// Cascades (patches of sea) of one sea, longest waves first; the first `cascade_count` are used. The layers that
+        /// a coast adds to the maps follow.
+        pub cascades: [SeaCascade; MAX_SEA_LAYERS],
         /// Lobes or measured distributions whose sum is the directional spectrum; the first `term_count` are used.
         pub terms: [SpectrumTerm; MAX_SPECTRUM_TERMS],
         /// Factor by which the wave amplitudes of each cascade are multiplied: 1 except during a cross-fade.
@@ -145,6 +148,12 @@ gpu_struct! {
         pub source_slope: f32,
         /// Foam (0 to 1) in a cell that has just entered its level's area: the expected mean over the sea.
         pub initial_foam: f32,
+        /// Position (u, v) of the level's corner in the square of a coast, in sides of the square.
+        pub coast_uv: [f32; 2],
+        /// Side of a foam cell, in sides of the square of a coast.
+        pub coast_uv_per_cell: f32,
+        /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
+        pub unused: u32,
     }
 }
 
@@ -156,8 +165,10 @@ gpu_struct! {
         pub patch_m: f32,
         /// Index of the cascade's layer among the layers of each kind of map.
         pub layer: u32,
+        /// What the layer holds: 0 an ordinary cascade, 1 offshore waves, 2 waves at a coast.
+        pub role: u32,
         /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
-        pub unused: [u32; 2],
+        pub unused: u32,
     }
 }
 
@@ -206,4 +217,5 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     FoamLevelUniform::DECLARATION,
     FoamCascade::DECLARATION,
     FoamUniform::DECLARATION,
+    CoastUniform::DECLARATION,
 ];

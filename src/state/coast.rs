@@ -2,6 +2,12 @@
 
 use super::field::FieldKind::Choice;
 use super::field::{choice_enum, number, parameters};
+use crate::files::bathymetry::BathymetryFile;
+use std::sync::Arc;
+
+/// Why a sea whose coast is a file is open, and what to do.
+pub const MISSING_FILE_NOTICE: &str =
+    "the coast is a file, which a link cannot carry: drop the bathymetry on the sea, or name it with --bathymetry";
 
 choice_enum! {
     /// A coast: none, one that comes with the program, or one from a file with heights or depths.
@@ -39,12 +45,42 @@ parameters! {
         z_m: f64 = 0.0 => ("coastz", "Coast south", "m", number(-1e5, 1e5)),
         /// Angle by which the coast is turned clockwise from its own direction.
         turn_deg: f64 = 0.0 => ("coastturn", "Coast turn", "deg", number(-180.0, 180.0)),
+        /// The bathymetry of the coast `file`; `None` until it is opened, and for every other coast.
+        file: Option<CoastFile> = None,
+    }
+}
+
+/// A bathymetry that the user has opened. Two are equal if they are the same one in memory.
+#[derive(Clone, Debug)]
+pub struct CoastFile(pub Arc<BathymetryFile>);
+
+impl PartialEq for CoastFile {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
     }
 }
 
 impl Coast {
-    /// Whether there is land: false in the open sea.
+    /// Whether there is land: false in the open sea, and where the coast is a file that is not open.
     pub fn is_on(&self) -> bool {
-        self.name != CoastName::None
+        match self.name {
+            CoastName::None => false,
+            CoastName::File => self.file.is_some(),
+            _ => true,
+        }
+    }
+
+    /// Takes the file `opened`, if the coast is a file and has none; another coast drops its file.
+    pub fn adopt_file(&mut self, opened: Option<&CoastFile>) {
+        if self.name != CoastName::File {
+            self.file = None;
+        } else if self.file.is_none() {
+            self.file = opened.cloned();
+        }
+    }
+
+    /// Notice for the user if the coast is a file that is not open, else `None`.
+    pub fn missing_file_notice(&self) -> Option<String> {
+        (self.name == CoastName::File && self.file.is_none()).then(|| MISSING_FILE_NOTICE.to_owned())
     }
 }

@@ -155,6 +155,12 @@ const RULES: &[Rule] = &[
         "It belongs to the spectrum karaev: choose that.",
         "spectrum=karaev",
     ),
+    rule(
+        &["coastx", "coastz", "coastturn"],
+        |p| !p.coast.is_on(),
+        "The sea is open: choose a coast, or open the file of one.",
+        "coast=beach",
+    ),
 ];
 
 /// Parameters of one wave system, without its number in their keys, and when they have no effect. The system's number
@@ -299,5 +305,7 @@ mod tests {
         assert_eq!((reason("dir2", ""), reason("dir2", "scale2=1")), (Some("scale2=1"), None));
         assert_eq!((reason("wind", "scale=0"), reason("fetch", "scale=0")), (None, Some("scale=1")));
         assert_eq!((reason("skyturn", ""), reason("scale3", "")), (Some(""), None));
+        assert_eq!((reason("coastx", ""), reason("coastx", "coast=bar")), (Some("coast=beach"), None));
+        assert_eq!((reason("coastturn", "coast=file"), reason("coast", "")), (Some("coast=beach"), None));
     }
 }

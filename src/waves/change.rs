@@ -18,9 +18,14 @@ pub enum SeaChange {
 }
 
 impl SeaChange {
-    /// Most expensive kind of change from the sea and grid parameters in `a` to those in `b`; `None` if all are equal.
+    /// Most expensive kind of change from the sea and grid parameters in `a` to those in `b`; `None` if all are equal. A
+    /// coast that comes or goes changes how the patch of the longest waves covers the sea; another coast does not.
     pub fn between(a: &Params, b: &Params) -> Option<Self> {
-        if a.grid == b.grid { Self::between_seas(&a.sea, &b.sea) } else { Some(Self::Waves) }
+        if a.grid == b.grid && a.coast.is_on() == b.coast.is_on() {
+            Self::between_seas(&a.sea, &b.sea)
+        } else {
+            Some(Self::Waves)
+        }
     }
 
     /// Most expensive kind of change between two seas of the same grid (FFT size, cascades); `None` if all is equal.
@@ -75,7 +80,7 @@ mod tests {
             let expected = match (field.key, field.group) {
                 ("whitecaps" | "foamthreshold" | "foambias" | "foamdecay" | "foamrate", _) => Some(SeaChange::Foam),
                 ("order" | "chop" | "chopx" | "chopz" | "level", _) => Some(SeaChange::Surface),
-                ("loop", _) | (_, Group::Sea | Group::Water | Group::Grid) => Some(SeaChange::Waves),
+                ("loop" | "coast", _) | (_, Group::Sea | Group::Water | Group::Grid) => Some(SeaChange::Waves),
                 (_, group) if group.further_system_index().is_some() => Some(SeaChange::Waves),
                 _ => None,
             };

@@ -39,6 +39,9 @@ pub struct Plan {
     pub cascades: Vec<Cascade>,
     /// Whether each patch is drawn as a blend of shifted copies, which hides its repetition.
     pub blends_copies: bool,
+    /// Whether the sea runs up to a coast. The patch of the first cascade then repeats, so that its waves are plane waves
+    /// everywhere, which the coast can refract.
+    pub has_coast: bool,
     /// Period after which the sea repeats, s: all angular frequencies are multiples of 2 pi over this period.
     pub repeat_period_s: f64,
     /// Sea parameters from which the plan was made.
@@ -64,9 +67,9 @@ pub struct Plan {
 }
 
 impl PartialEq for Plan {
-    /// Compares only the fields from which all other fields follow: FFT size, tiling, cascades and sea parameters.
+    /// Compares only the fields from which all others follow: FFT size, tiling, coast, cascades and sea parameters.
     fn eq(&self, other: &Self) -> bool {
-        (self.n, self.blends_copies) == (other.n, other.blends_copies)
+        (self.n, self.blends_copies, self.has_coast) == (other.n, other.blends_copies, other.has_coast)
             && self.cascades == other.cascades
             && self.sea == other.sea
     }
@@ -117,6 +120,7 @@ impl Plan {
             n,
             cascades,
             blends_copies,
+            has_coast: params.coast.is_on(),
             repeat_period_s: period_s,
             sea,
             systems,
@@ -172,7 +176,7 @@ impl Plan {
 
     /// Whether two plans have the same wave numbers, frequencies, random numbers and tiling; amplitudes may differ.
     pub fn has_same_waves(&self, other: &Self) -> bool {
-        let waves = |p: &Self| (p.n, p.blends_copies, p.repeat_period_s, p.sea.seed, p.dispersion);
+        let waves = |p: &Self| (p.n, p.blends_copies, p.has_coast, p.repeat_period_s, p.sea.seed, p.dispersion);
         waves(self) == waves(other) && self.cascades == other.cascades
     }
 
@@ -249,7 +253,8 @@ impl Plan {
 
     /// Tiling with which the patch of `cascade` covers the plane: a blend of shifted copies, or plain repetition.
     pub fn tiling(&self, cascade: &Cascade) -> Tiling {
-        Tiling::new(cascade.patch_m, cascade.noise_key, self.sea.seed, self.blends_copies)
+        let is_coastal = self.has_coast && self.cascades.first() == Some(cascade);
+        Tiling::new(cascade.patch_m, cascade.noise_key, self.sea.seed, self.blends_copies && !is_coastal)
     }
 }
 

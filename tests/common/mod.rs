@@ -132,6 +132,7 @@ pub fn bind_maps<const Q: usize, const A: usize>(kernel: &mut wgsl::Kernel<Q, A>
         (2, TextureView(&maps.slope_moments)),
         (4, Sampler(&sim.resources.repeating_sampler)),
         (5, Sampler(&levels)),
+        (6, TextureView(&maps.no_coast)),
     ];
     kernel.bind(1, &resources);
 }

@@ -48,6 +48,58 @@ export class WebHandle {
     if (play === 'throw') throw new WebAssembly.RuntimeError('unreachable in an answer');
     return this.#frames > 0;
   }
+
+  // What the page's other scripts ask of a running program. stub.test.mjs checks that nothing is missing.
+
+  frames() {
+    return this.#frames;
+  }
+
+  link_state() {
+    return this.state();
+  }
+
+  set_state() {}
+
+  sea_in_words() {
+    return '';
+  }
+
+  heights() {
+    return new Float64Array();
+  }
+
+  open_files() {}
+
+  show_message() {}
+
+  accessible_items() {
+    return [];
+  }
+
+  announcement() {
+    return '';
+  }
+
+  perform_widget_action() {}
+
+  set_safe_area() {
+    return this.#frames > 0;
+  }
+
+  offer_tilt() {}
+
+  tilt_button() {
+    return undefined;
+  }
+
+  follow_tilt() {}
+
+  refuse_tilt() {}
+
+  async bench() {
+    throw new Error('the stub measures nothing');
+  }
 }
 
 if (play === 'trap') {

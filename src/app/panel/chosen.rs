@@ -2,13 +2,14 @@
 
 use super::super::App;
 use crate::app::language::tr;
+use crate::state::coast::Coast;
 use crate::state::params::{Look, Sea};
 use crate::state::presets;
 
-/// Name of the built-in sea that is shown, if any, with the sea and the light for which it was looked up.
+/// Name of the built-in sea that is shown, if any, with the sea, the coast and the light for which it was looked up.
 #[derive(Default)]
 pub struct ShownSea {
-    found_for: Option<(Sea, Look)>,
+    found_for: Option<(Sea, Coast, Look)>,
     name: Option<&'static str>,
     /// Name of the built-in sea that was shown last, also if the user has changed it since.
     last_name: Option<&'static str>,
@@ -16,15 +17,16 @@ pub struct ShownSea {
 
 impl App {
     /// Name of the built-in sea that is shown: the one whose choice would change nothing. It is looked up again only
-    /// after a change of sea or light.
+    /// after a change of sea, coast or light.
     pub(super) fn shown_sea_name(&mut self) -> Option<&'static str> {
         let (params, shown) = (&self.params, &mut self.panel.shown_sea);
-        let is_known = shown.found_for.as_ref().is_some_and(|(sea, look)| (sea, look) == (&params.sea, &params.look));
+        let now = (&params.sea, &params.coast, &params.look);
+        let is_known = shown.found_for.as_ref().is_some_and(|(sea, coast, look)| (sea, coast, look) == now);
         if !is_known {
             let is_shown = |preset: &&presets::Preset| preset.shows_sea_of(params);
             shown.name = presets::built_in().iter().find(is_shown).map(|preset| preset.name.as_str());
             shown.last_name = shown.name.or(shown.last_name);
-            shown.found_for = Some((params.sea.clone(), params.look.clone()));
+            shown.found_for = Some((params.sea.clone(), params.coast.clone(), params.look.clone()));
         }
         shown.name
     }

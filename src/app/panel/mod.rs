@@ -2,6 +2,7 @@
 //! narrow one has a bar of tabs at the bottom, with a sheet above it.
 
 mod chosen;
+mod coast;
 mod handle;
 mod numbers;
 mod place;
@@ -79,7 +80,7 @@ impl Tab {
     fn help(self) -> &'static str {
         match self {
             Self::Seas => tr("Named seas, and your own."),
-            Self::Weather => tr("Wind, swell, sun, clouds and depth."),
+            Self::Weather => tr("Wind, swell, sun, clouds, depth and coast."),
             Self::View => tr("Camera, time, and what floats."),
             Self::Study => tr("Every number, plot and parameter."),
             Self::Share => tr("Link, picture, frame for a page."),
@@ -355,7 +356,8 @@ fn show_notices(app: &App, ui: &mut egui::Ui) {
         ui.label(text);
     }
     let missing = app.params.look.sky.missing_file_notice();
-    for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing) {
+    let of_coast = app.coast_notices();
+    for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing).chain(&of_coast) {
         ui.colored_label(egui::Color32::from_rgb(240, 200, 110), notices::translate(text));
     }
     for text in app.errors() {

@@ -3,7 +3,7 @@
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
 use super::super::{notices, plots};
-use super::{MAX_TEXT_CHARS, numbers, rows, seas, share, spectra, sun, systems, text_field};
+use super::{MAX_TEXT_CHARS, coast, numbers, rows, seas, share, spectra, sun, systems, text_field};
 use crate::app::language::{say, tr};
 use crate::state::fields::{FIELDS, Field, Group};
 
@@ -71,6 +71,7 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
                     show_sky_file(app, ui);
                 }
                 Group::Water if !searching => seas::show_seed_row(app, ui),
+                Group::Coast if !searching => coast::show_open_button(app, ui),
                 _ if !searching => systems::show_remove_button(&mut app.params, group, ui),
                 _ => {}
             }

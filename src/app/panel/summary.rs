@@ -69,6 +69,7 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             let pixels = say!("{n} x {n} points, {width} x {height} pixels", n = n, width = width, height = height);
             let quality = app.quality.describe();
             let reduction = app.quality.reduction_in_words(&app.params.grid, &app.params.screen);
+            let progress = app.coast_progress();
             let mut line = |ui: &mut egui::Ui, text: egui::RichText, help: &str, tab: Tab| {
                 let label = egui::Label::new(text).sense(egui::Sense::click());
                 let label = ui.add(label).on_hover_text(help).on_hover_cursor(egui::CursorIcon::PointingHand);
@@ -85,6 +86,11 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             let help = tr("Significant wave height Hs, the mean of the highest third, and period Tp of the peak.");
             line(ui, white(waves, 14.0), help, Tab::Study);
             line(ui, white(keeps_up, 12.0), &say!("Simulated time. Picture: {quality}.", quality = quality), Tab::View);
+            if let Some(progress) = progress {
+                let help =
+                    tr("The depths near the coast turn, grow and break the waves. Until then the open sea is shown.");
+                line(ui, white(progress, 12.0), help, Tab::Weather);
+            }
             let quiet = |text: String| egui::RichText::new(text).size(11.0).color(egui::Color32::from_gray(220));
             let help = tr("Points of the waves' grids (FFT size n), and pixels of the picture that are computed.");
             line(ui, quiet(pixels), help, Tab::Study);

@@ -3,7 +3,7 @@
 use super::super::App;
 use super::super::accessible_names::with_accessible_value;
 use super::super::units::{UnitScale, round_to_significant_digits};
-use super::{button_with_help, rows, sun, touch};
+use super::{button_with_help, coast, rows, sun, touch};
 use crate::app::language::{say, text, tr};
 use crate::state::Params;
 use crate::state::fields::{self, Group};
@@ -121,6 +121,7 @@ pub fn show_weather(app: &mut App, ui: &mut egui::Ui) {
     show_rows(app, ui, &SKY_ROWS);
     ui.separator();
     show_rows(app, ui, &WATER_ROWS);
+    coast::show_coast(app, ui);
 }
 
 /// Adds the rows that place the sun, by direction or by date, and the button that changes between the two.

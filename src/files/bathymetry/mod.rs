@@ -76,11 +76,22 @@ pub fn read(name: &str, bytes: &[u8], read_as: ReadAs) -> Result<BathymetryFile,
     Ok(BathymetryFile { name: short, grid, notices })
 }
 
+/// Whether a file can be nothing but a bathymetry: by its content a TIFF or an ESRI ASCII grid, or by its name text of x,
+/// y, z. NetCDF and text under other names may also hold a spectrum.
+pub fn is_bathymetry_file(name: &str, bytes: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(256)]);
+    is_tiff(bytes) || ascii::is_ascii_grid(&head) || name.to_ascii_lowercase().ends_with(".xyz")
+}
+
+fn is_tiff(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"II") && bytes.get(3) == Some(&0) || bytes.starts_with(b"MM\0")
+}
+
 fn read_raw(bytes: &[u8], read_as: ReadAs) -> Result<RawGrid, String> {
     if bytes.starts_with(&[0x1f, 0x8b]) || bytes.starts_with(b"PK\x03\x04") {
         return Err("the file is compressed: unpack it first".into());
     }
-    let is_tiff = bytes.starts_with(b"II") && bytes.get(3) == Some(&0) || bytes.starts_with(b"MM\0");
+    let is_tiff = is_tiff(bytes);
     let is_netcdf = bytes.starts_with(b"CDF") || bytes.starts_with(b"\x89HDF\r\n\x1a\n");
     #[cfg(feature = "files")]
     if is_tiff {

@@ -7,6 +7,7 @@ pub mod spray;
 
 use super::scene::Scene;
 use super::targets::{BLEND_OVER, DEPTH_TEST_BACKGROUND, OutputKind, Targets, attachments};
+use super::variants::switch_constant;
 use super::water::light::WaterPass;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
@@ -36,18 +37,22 @@ struct DropPass<T> {
     group: Option<(wgpu::TextureView, wgpu::BindGroup)>,
     /// Number of quads in the next frame.
     quads: u32,
+    /// Whether the sea runs up to a coast.
+    has_coast: bool,
 }
 
 impl<T: bytemuck::Pod> DropPass<T> {
-    fn new(gpu: &Gpu, shaders: &Shaders, module: &str, water: &WaterPass) -> Self {
+    fn new(gpu: &Gpu, shaders: &Shaders, module: &str, water: &WaterPass, has_coast: bool) -> Self {
         let bindings = [BindingType::Uniform(size_of::<T>()), BindingType::DepthTexture];
         let layout = gpu.bind_group_layout(module, wgpu::ShaderStages::VERTEX_FRAGMENT, &bindings);
         let text = shaders.module(gpu, module);
         let format = water.scene.output.format();
         let onto = AttachmentFormats { blend: Some(BLEND_OVER), ..attachments(&format, DEPTH_TEST_BACKGROUND) };
         let layouts = [&water.scene.layout, water.maps_layout(), &layout];
-        let pipeline = gpu.render_pipeline(module, &RenderProgram::new(&text), &layouts, &onto);
-        Self { pipeline, layout, uniform: Uniform::new(gpu, module), group: None, quads: 0 }
+        let constants = [switch_constant("WATER_COAST", has_coast)];
+        let program = RenderProgram { constants: &constants, ..RenderProgram::new(&text) };
+        let pipeline = gpu.render_pipeline(module, &program, &layouts, &onto);
+        Self { pipeline, layout, uniform: Uniform::new(gpu, module), group: None, quads: 0, has_coast }
     }
 
     fn set(&mut self, gpu: &Gpu, targets: &Targets, value: &T, quads: u32) {
@@ -89,12 +94,14 @@ impl DropPasses {
         let has_drops = water.scene.output != OutputKind::Reference && !scene.dives();
         self.spray.iter_mut().for_each(|pass| pass.quads = 0);
         self.rain.iter_mut().for_each(|pass| pass.quads = 0);
+        self.spray.take_if(|pass| pass.has_coast != scene.has_coast);
+        self.rain.take_if(|pass| pass.has_coast != scene.has_coast);
         if let Some(value) = SprayUniform::new(scene).filter(|_| has_drops) {
-            let make = || DropPass::new(gpu, &self.shaders, "drops/spray", water);
+            let make = || DropPass::new(gpu, &self.shaders, "drops/spray", water, scene.has_coast);
             self.spray.get_or_insert_with(make).set(gpu, targets, &value, spray::QUADS);
         }
         if let Some(value) = RainUniform::new(scene).filter(|_| has_drops) {
-            let make = || DropPass::new(gpu, &self.shaders, "drops/rain", water);
+            let make = || DropPass::new(gpu, &self.shaders, "drops/rain", water, scene.has_coast);
             self.rain.get_or_insert_with(make).set(gpu, targets, &value, value.quads());
         }
     }

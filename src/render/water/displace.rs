@@ -8,6 +8,7 @@ use crate::gpu::layout::gpu_struct;
 use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
+use crate::render::variants::CoastalPipeline;
 use crate::shaders::Shaders;
 
 gpu_struct! {
@@ -29,21 +30,23 @@ gpu_struct! {
 
 /// Size of a [`MeshVertex`], bytes.
 pub const MESH_VERTEX_BYTES: u64 = size_of::<MeshVertex>() as u64;
-/// Bindings of the group of wave and foam maps: displacement, gradients, slope moments, foam, and two samplers.
-pub const WAVE_MAPS: [BindingType; 6] = [
+/// Bindings of the group of wave and foam maps: displacement, gradients, slope moments, foam, two samplers, and the gains
+/// of a coast.
+pub const WAVE_MAPS: [BindingType; 7] = [
     BindingType::TextureArray,
     BindingType::TextureArray,
     BindingType::TextureArray,
     BindingType::TextureArray,
     BindingType::Sampler,
     BindingType::Sampler,
+    BindingType::Texture,
 ];
 /// Side of a compute workgroup: it displaces 8 columns x 8 rows of vertices; equal to `workgroup_size` in the shader.
 const WORKGROUP_SIDE: u32 = 8;
 
 /// The displaced water mesh: compute pass that displaces its vertices by the waves, buffers, and draw call.
 pub struct DisplacePass {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: CoastalPipeline,
     layout: wgpu::BindGroupLayout,
     frame: wgpu::Buffer,
     /// Bind group layout for passes that draw the mesh: vertices at binding 0.
@@ -71,7 +74,7 @@ impl DisplacePass {
         ];
         let layout = gpu.bind_group_layout("mesh", wgpu::ShaderStages::COMPUTE, &bindings);
         let module = shaders.module(gpu, "water/displace");
-        let pipeline = gpu.compute_pipeline("mesh", (&module, "main"), &[&layout, maps], &[]);
+        let pipeline = CoastalPipeline::new(gpu, "mesh", module, &[&layout, maps]);
         let vertex = wgpu::ShaderStages::VERTEX;
         let vertices_layout =
             gpu.bind_group_layout("mesh/drawn", vertex, &[BindingType::StorageRead(MESH_VERTEX_BYTES as usize)]);
@@ -107,6 +110,11 @@ impl DisplacePass {
         });
     }
 
+    /// Selects the pipeline for the open sea, or for a sea that runs up to a coast.
+    pub fn select_pipeline(&mut self, gpu: &Gpu, has_coast: bool) {
+        self.pipeline.select(gpu, has_coast);
+    }
+
     /// Number of mesh vertices that the current view displaces; 0 before a mesh is set.
     pub fn vertex_count(&self) -> u32 {
         self.buffers.as_ref().map_or(0, |b| (self.columns + 1) * b.rows)
@@ -114,9 +122,9 @@ impl DisplacePass {
 
     /// Records the compute pass that displaces the vertices for the current view by the waves in `maps`.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, maps: &wgpu::BindGroup) {
-        let Some(buffers) = &self.buffers else { return };
+        let (Some(buffers), Some(pipeline)) = (&self.buffers, self.pipeline.selected()) else { return };
         let mut pass = begin_compute(encoder, "mesh", timer.compute_pass("mesh"));
-        pass.set_pipeline(&self.pipeline);
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &buffers.group, &[]);
         pass.set_bind_group(1, maps, &[]);
         pass.dispatch_workgroups((self.columns + 1).div_ceil(WORKGROUP_SIDE), buffers.rows.div_ceil(WORKGROUP_SIDE), 1);

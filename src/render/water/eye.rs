@@ -7,13 +7,14 @@ use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
+use crate::render::variants::CoastalPipeline;
 use crate::shaders::Shaders;
 
 /// Compute pass that changes the eye's height in the frame uniform: on a buoy, it adds the height of the water below;
 /// then it raises the eye where needed to stay above the waves around it. If the eye dives, it measures the surface there
 /// instead.
 pub struct EyePass {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: CoastalPipeline,
     group: wgpu::BindGroup,
 }
 
@@ -23,17 +24,25 @@ impl EyePass {
         let bindings = [BindingType::StorageReadWrite(size_of::<FrameUniform>())];
         let layout = gpu.bind_group_layout("eye", wgpu::ShaderStages::COMPUTE, &bindings);
         let module = shaders.module(gpu, "water/eye");
-        let pipeline = gpu.compute_pipeline("eye", (&module, "main"), &[&layout, water.maps_layout()], &[]);
+        let pipeline = CoastalPipeline::new(gpu, "eye", module, &[&layout, water.maps_layout()]);
         let group = gpu.bind_group("eye", &layout, &[frame.buffer.as_entire_binding()]);
         Self { pipeline, group }
+    }
+
+    /// Selects the pipeline for a scene.
+    pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
+        self.pipeline.select(gpu, scene.has_coast);
     }
 
     /// Records the pass for the frame of `scene`; nothing if the eye is at a fixed height that no wave reaches.
     pub fn run(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, scene: &Scene, water: &WaterPass) {
         let needs_waves = scene.height_from_waves || waves_may_reach_eye(scene);
-        let Some(maps) = water.maps_group().filter(|_| needs_waves) else { return };
+        let (Some(maps), Some(pipeline)) = (water.maps_group().filter(|_| needs_waves), self.pipeline.selected())
+        else {
+            return;
+        };
         let mut pass = begin_compute(encoder, "eye", timer.compute_pass("eye"));
-        pass.set_pipeline(&self.pipeline);
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &self.group, &[]);
         pass.set_bind_group(1, maps, &[]);
         pass.dispatch_workgroups(1, 1, 1);

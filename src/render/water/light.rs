@@ -31,6 +31,8 @@ pub struct WaterLightVariant {
     /// Whether waves focus sunlight into caustics on the bed.
     caustics: bool,
     foam: bool,
+    /// Whether the sea runs up to a coast.
+    coast: bool,
     /// Whether gusts and slicks vary the roughness of the water.
     gusts: bool,
     /// Whether the sun's glitter consists of separate glints.
@@ -79,6 +81,7 @@ impl WaterLightVariant {
             bed,
             caustics: bed && surface.bed.caustics > 0.0,
             foam: surface.foam.coverage_factor > 0.0,
+            coast: scene.has_coast,
             gusts: surface.reflection.gusts > 0.0,
             glints: surface.reflection.glints && output != OutputKind::Reference,
             shadows: casts_shadows(scene.look.sky.sun_elevation_azimuth_deg()[0], scene.sea.resolved_slope_variance),
@@ -96,11 +99,12 @@ impl WaterLightVariant {
         }
     }
 
-    pub fn constants(self) -> [(&'static str, f64); 16] {
+    pub fn constants(self) -> [(&'static str, f64); 17] {
         [
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_CAUSTICS", self.caustics),
             switch_constant("WATER_FOAM", self.foam),
+            switch_constant("WATER_COAST", self.coast),
             switch_constant("WATER_GUSTS", self.gusts),
             switch_constant("WATER_GLINTS", self.glints),
             switch_constant("WATER_SHADOWS", self.shadows),
@@ -185,6 +189,7 @@ impl WaterPass {
             TextureView(&maps.foam),
             Sampler(&self.samplers[0]),
             Sampler(&self.samplers[1]),
+            TextureView(maps.coast.as_ref().map_or(&maps.no_coast, |coast| &coast.gains)),
         ];
         self.bound_maps = Some((maps.view_generation, gpu.bind_group("maps", &self.maps_layout, &resources)));
     }
@@ -204,6 +209,7 @@ impl WaterPass {
         let (gpu, module, format) = (gpu.clone(), self.module.clone(), self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout].map(Clone::clone);
         let parts = WaterLightVariant::new(scene, self.scene.output);
+        self.mesh.select_pipeline(&gpu, scene.has_coast);
         self.light_pipelines.select(parts, scene.may_keep_pipelines, move || {
             let program = RenderProgram {
                 module: &module,
@@ -215,7 +221,7 @@ impl WaterPass {
         });
     }
 
-    /// Layout of the bind group of the maps: displacement, gradients, slope moments, foam, two samplers.
+    /// Layout of the bind group of the maps: displacement, gradients, slope moments, foam, two samplers, gains of a coast.
     pub fn maps_layout(&self) -> &wgpu::BindGroupLayout {
         &self.maps_layout
     }

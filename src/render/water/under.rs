@@ -45,13 +45,17 @@ struct Made {
     shafts: wgpu::TextureView,
     /// Depth texture drawn with the bound G-buffer, and the bind group; None before the first frame.
     bound: Option<(wgpu::TextureView, wgpu::BindGroup)>,
+    /// Whether the sea runs up to a coast.
+    has_coast: bool,
 }
 
 impl Made {
-    fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass) -> Self {
+    fn new(gpu: &Gpu, shaders: &Shaders, water: &WaterPass, has_coast: bool) -> Self {
         let module = shaders.module(gpu, "water/under");
         let [scene, maps, vertices] = water.mesh_layouts();
-        let program = |entry_points| RenderProgram { entry_points, ..RenderProgram::new(&module) };
+        let constants = [switch_constant("WATER_COAST", has_coast)];
+        let program =
+            |entry_points| RenderProgram { entry_points, constants: &constants, ..RenderProgram::new(&module) };
         let g_buffer = AttachmentFormats { formats: &G_BUFFER_FORMATS, depth: Some(DEPTH_TEST_OPAQUE), blend: None };
         let shafts = AttachmentFormats { formats: &[HDR_FORMAT], depth: None, blend: None };
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
@@ -76,6 +80,7 @@ impl Made {
             layout: gpu.bind_group_layout("under", wgpu::ShaderStages::FRAGMENT, &bindings),
             shafts: map.create_view(&wgpu::TextureViewDescriptor::default()),
             bound: None,
+            has_coast,
             module,
         }
     }
@@ -93,7 +98,8 @@ impl UnderPass {
         if !self.dives {
             return;
         }
-        let made = self.made.get_or_insert_with(|| Made::new(gpu, &self.shaders, water));
+        self.made.take_if(|made| made.has_coast != scene.has_coast);
+        let made = self.made.get_or_insert_with(|| Made::new(gpu, &self.shaders, water, scene.has_coast));
         let parts = WaterLightVariant::new(scene, water.scene.output);
         let (gpu, module, format) = (gpu.clone(), made.module.clone(), water.scene.output.format());
         let layouts = [&water.scene.layout, water.maps_layout(), &made.layout].map(Clone::clone);

@@ -7,7 +7,7 @@ use crate::shaders::Shaders;
 use crate::shaders::fft::FftFactors;
 use crate::shaders::unrolled::UnrolledKernel;
 use crate::sim::planned_sea::SeaDispatch;
-use crate::sim::resources::{MapKind, Resources, WaveBuffers};
+use crate::sim::resources::{MapKind, Resources, row_input_index};
 use crate::sim::uniforms::SimulationUniforms;
 use std::sync::OnceLock;
 
@@ -31,7 +31,7 @@ struct IntermediateBuffers {
 }
 
 struct FftBindGroups {
-    /// Bind groups of the first kernel, one per set in `Resources::wave_buffers`: two from the first cross-fade on.
+    /// Bind groups of the first kernel, one for each of `Resources::row_inputs`.
     rows_first: Vec<wgpu::BindGroup>,
     rows_second: wgpu::BindGroup,
     columns_first: wgpu::BindGroup,
@@ -111,7 +111,7 @@ impl UnrolledTransform {
         self.rows_first.run(
             encoder,
             timer.compute_pass("rows"),
-            &self.groups.rows_first[dispatch.wave_buffers_index],
+            &self.groups.rows_first[row_input_index(dispatch.wave_buffers_index, dispatch.is_offshore)],
             &[dispatch.uniform_offset],
             size,
         );
@@ -194,12 +194,12 @@ impl FftBindGroups {
         let [rows_first, rows_second, columns_first, columns_second] = kernels;
         let [twiddle, lines] = [&r.twiddle_factors, &r.row_transforms].map(wgpu::Buffer::as_entire_binding);
         let [half_transforms, maps] = [&buffers.half_transforms, &buffers.maps].map(wgpu::Buffer::as_entire_binding);
-        let of_waves = |waves: &WaveBuffers| {
-            let [h0, wave] = [&waves.h0, &waves.wave_table].map(wgpu::Buffer::as_entire_binding);
+        let of_waves = |input: [&wgpu::Buffer; 2]| {
+            let [h0, wave] = input.map(wgpu::Buffer::as_entire_binding);
             rows_first.bind(gpu, &[uniforms.sea.binding(), h0, wave, twiddle.clone(), half_transforms.clone()])
         };
         Self {
-            rows_first: r.wave_buffers.iter().map(of_waves).collect(),
+            rows_first: r.row_inputs().map(of_waves).collect(),
             rows_second: rows_second.bind(gpu, &[half_transforms.clone(), lines.clone()]),
             columns_first: columns_first.bind(gpu, &[twiddle.clone(), lines.clone(), half_transforms.clone()]),
             columns_second: columns_second.bind(gpu, &[half_transforms.clone(), maps, lines.clone()]),

@@ -5,7 +5,7 @@ use crate::gpu::kit::{BindingType, Kernel};
 use crate::gpu::timer::Timer;
 use crate::shaders::Shaders;
 use crate::sim::planned_sea::SeaDispatch;
-use crate::sim::resources::{Resources, WaveBuffers, array_view};
+use crate::sim::resources::{Resources, array_view, row_input_index};
 use crate::sim::uniforms::SimulationUniforms;
 
 /// Number of points that a thread holds in registers.
@@ -30,7 +30,7 @@ pub struct WorkgroupTransform {
 }
 
 struct FftBindGroups {
-    /// Bind groups of the row pass, one per set in `Resources::wave_buffers`: two from the first cross-fade on.
+    /// Bind groups of the row pass, one for each of `Resources::row_inputs`.
     rows: Vec<wgpu::BindGroup>,
     columns: wgpu::BindGroup,
 }
@@ -90,7 +90,7 @@ impl WorkgroupTransform {
         self.rows.run(
             encoder,
             timer.compute_pass("rows"),
-            &self.groups.rows[dispatch.wave_buffers_index],
+            &self.groups.rows[row_input_index(dispatch.wave_buffers_index, dispatch.is_offshore)],
             &[dispatch.uniform_offset],
             size,
         );
@@ -113,14 +113,14 @@ impl FftBindGroups {
     fn new(gpu: &Gpu, rows: &Kernel, columns: &Kernel, r: &Resources, uniforms: &SimulationUniforms) -> Self {
         let (sea, twiddle, lines) =
             (uniforms.sea.binding(), r.twiddle_factors.as_entire_binding(), r.row_transforms.as_entire_binding());
-        let of_waves = |waves: &WaveBuffers| {
-            let [h0, wave] = [&waves.h0, &waves.wave_table].map(wgpu::Buffer::as_entire_binding);
+        let of_waves = |input: [&wgpu::Buffer; 2]| {
+            let [h0, wave] = input.map(wgpu::Buffer::as_entire_binding);
             rows.bind(gpu, &[sea.clone(), h0, wave, twiddle.clone(), lines.clone()])
         };
         let maps = array_view(&r.maps, Some(0));
         let maps = wgpu::BindingResource::TextureView(&maps);
         Self {
-            rows: r.wave_buffers.iter().map(of_waves).collect(),
+            rows: r.row_inputs().map(of_waves).collect(),
             columns: columns.bind(gpu, &[sea.clone(), twiddle.clone(), lines.clone(), maps]),
         }
     }

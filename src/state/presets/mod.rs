@@ -43,7 +43,7 @@ pub struct Preset {
 /// What happens to a parameter when the user chooses a preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ApplyRule {
-    /// Parameters of wind, waves, water, foam, sun, sky, colours or film: always set, to the default where the preset
+    /// Parameters of wind, waves, water, foam, coast, sun, sky, colours or film: always set, to the default where the preset
     /// does not name them. Otherwise a calm sea chosen after a hurricane would keep its fog and its clouds.
     SeaAndLight,
     /// Parameters of the camera: set only where the preset names them.
@@ -97,10 +97,11 @@ impl Preset {
     /// Returns the parameters `now` changed to this preset, and one notice for each value of its state string that was
     /// not taken as written.
     ///
-    /// Wind, waves, water, foam, the buoy's spectrum, sun, sky, colours and film are reset and then set by the preset;
-    /// the seed is kept unless the preset names it. The camera changes only where it is named. Time, resolution, views
-    /// and the window's settings are kept. The image of a sky file is kept if the preset names the same file; [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice)
-    /// tells whether it is missing.
+    /// Wind, waves, water, foam, the coast, the buoy's spectrum, sun, sky, colours and film are reset and then set by the
+    /// preset; the seed is kept unless the preset names it. The camera changes only where it is named. Time, resolution,
+    /// views and the window's settings are kept. The image of a sky file is kept if the preset names the same file, and the
+    /// file of a coast if the preset's coast is a file.
+    /// [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice) tells whether the image is missing.
     pub fn apply(&self, now: &Params) -> (Params, Vec<String>) {
         let query::ParsedState { params: wanted, keys_taken, mut notices } = query::parse_with_keys(&self.state);
         let named = |field: &Field| keys_taken.contains(&field.key);
@@ -121,6 +122,7 @@ impl Preset {
         next.sea.measured = wanted.sea.measured;
         let loaded = std::mem::replace(&mut next.look.sky.file, wanted.look.sky.file);
         next.look.sky.adopt_loaded_image(loaded.as_ref());
+        next.coast.adopt_file(None);
         if !left.is_empty() {
             let left = left.join(", ");
             notices.push(format!("a named sea does not set these parameters, they keep their values: {left}"));
@@ -128,10 +130,10 @@ impl Preset {
         (next, notices)
     }
 
-    /// Whether the sea and the light of `params` are those of this preset.
+    /// Whether the sea, its coast and the light of `params` are those of this preset.
     pub fn shows_sea_of(&self, params: &Params) -> bool {
         let (applied, _) = self.apply(params);
-        (applied.sea, applied.look) == (params.sea.clone(), params.look.clone())
+        (&applied.sea, &applied.coast, &applied.look) == (&params.sea, &params.coast, &params.look)
     }
 
     /// Removes control characters and surrounding white space from all texts, and cuts all but the state string to

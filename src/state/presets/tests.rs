@@ -1,12 +1,15 @@
 //! Tests of built-in presets, preset files, and the parameters that a preset sets or keeps.
 
 use super::*;
+use crate::files::bathymetry::{BathymetryFile, ElevationGrid};
 use crate::files::measured::MeasuredSpectrum;
+use crate::state::coast::{Coast, CoastFile, CoastName};
 use crate::state::fields::{FieldKind, InvalidValue};
 use crate::state::text::MAX_NOTICES;
 use crate::waves::statistics::SpectrumStatistics;
 use crate::waves::{Plan, noise};
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// A small deterministic generator of random numbers.
 struct Dice(u32);
@@ -53,7 +56,7 @@ fn same(field: &Field, a: &Params, b: &Params) -> bool {
 }
 
 /// Ranges of significant wave height, m, and peak period, s, that the description of each built-in preset claims.
-const CLAIMS: [(&str, [f64; 2], [f64; 2]); 20] = [
+const CLAIMS: [(&str, [f64; 2], [f64; 2]); 26] = [
     ("A fine day", [2.15, 2.3], [11.5, 12.5]),
     ("Calm open ocean", [0.85, 0.95], [9.5, 10.5]),
     ("Large swells", [5.5, 5.7], [9.5, 10.5]),
@@ -74,6 +77,12 @@ const CLAIMS: [(&str, [f64; 2], [f64; 2]); 20] = [
     ("Dead calm with distant swell", [1.45, 1.55], [15.5, 16.5]),
     ("Ripples of a light breeze", [0.05, 0.15], [1.3, 1.5]),
     ("Shallow tropical water", [0.3, 0.4], [2.0, 3.0]),
+    ("Swell on a beach", [1.45, 1.6], [10.5, 11.5]),
+    ("Headland and bay", [1.7, 1.9], [10.5, 11.5]),
+    ("Surf on a bar", [1.5, 1.7], [8.5, 9.5]),
+    ("Behind the island", [1.35, 1.5], [8.5, 9.5]),
+    ("Harbour entrance", [1.5, 1.75], [7.5, 8.5]),
+    ("Over the shoal", [1.45, 1.6], [6.8, 7.4]),
 ];
 
 #[test]
@@ -102,7 +111,9 @@ fn the_built_in_seas_survive_being_carried() {
     for preset in built_in() {
         let (params, _) = preset.apply(&Params::default());
         let again = Preset::from_params(&preset.name, &params);
-        assert_eq!(again.apply(&Params::default()), (params, vec![]), "{}", preset.name);
+        // The camera is not carried.
+        let now = Params { camera: params.camera.clone(), ..Params::default() };
+        assert_eq!(again.apply(&now), (params, vec![]), "{}", preset.name);
     }
 }
 
@@ -183,6 +194,27 @@ fn a_sea_changes_what_is_its_own() {
     let (state, notices) = applied("heading=north&sun=low", now);
     assert_eq!(state, query::write(&parse("seed=7&mesh=2&y=30&heading=10&t=9&n=128")));
     assert_eq!(notices.len(), 2, "{notices:?}");
+}
+
+/// A coast belongs to its sea: another sea is open again, unless it names a coast of its own.
+#[test]
+fn coasts_come_and_go_with_their_seas() {
+    let applied = |state: &str, now: &Params| {
+        Preset { name: "one".into(), state: state.into(), ..Preset::default() }.apply(now).0
+    };
+    let mut now = query::parse("coast=file&coastturn=40").0;
+    let grid = ElevationGrid { columns: 2, rows: 2, cell_m: [1.0; 2], elevation_m: vec![0.0; 4], middle_deg: None };
+    let opened = CoastFile(Arc::new(BathymetryFile { name: "a.tif".into(), grid, notices: vec![] }));
+    now.coast.adopt_file(Some(&opened));
+    assert!(now.coast.is_on() && now.coast.missing_file_notice().is_none());
+    assert_eq!(applied("wind=8", &now).coast, Coast::default());
+    let beach = applied("coast=beach", &now).coast;
+    assert_eq!((beach.name, beach.turn_deg, beach.file), (CoastName::Beach, 0.0, None));
+    assert_eq!(applied("coast=file", &now).coast.file, Some(opened));
+    let missing = query::parse("coast=file").0.coast;
+    assert!(!missing.is_on() && missing.missing_file_notice().is_some());
+    let beach = Preset { state: "coast=beach".into(), ..Preset::default() };
+    assert!(beach.shows_sea_of(&applied("coast=beach", &now)) && !beach.shows_sea_of(&Params::default()));
 }
 
 /// What a visitor sees first: a storm's clouds and a lagoon's water do not stay for the sea that is chosen next.

@@ -1,0 +1,21 @@
+// How a coast weighs the layers of the wave maps: the cascades of the open sea end at the land, and some of their waves
+// are replaced by those that the coast has made of them.
+
+// Factors of the layers over the square of the world that encloses the coast, and the depth, m (w).
+@group(1) @binding(6) var coast_gains_map: texture_2d<f32>;
+
+// Whether the sea runs up to a coast.
+override WATER_COAST: bool = false;
+
+// Factors of ordinary cascades, of offshore waves, and of waves at the coast (x, y, z) at an undisplaced position relative
+// to the point below the eye, m. Outside the square, those of its edge hold.
+fn coast_gains(at: vec2f) -> vec3f {
+  let half_texel = 0.5 / vec2f(textureDimensions(coast_gains_map));
+  let uv = clamp(frame.coast_uv_below_eye + at * frame.coast_inverse_side, half_texel, 1.0 - half_texel);
+  return textureSampleLevel(coast_gains_map, nearest_mip_sampler, uv, 0.0).xyz;
+}
+
+// Factor on the waves of a layer.
+fn coast_gain(map: FrameCascade, gains: vec3f) -> f32 {
+  return dot(map.coast_gains, gains);
+}

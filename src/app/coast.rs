@@ -1,0 +1,171 @@
+//! The coast of the app: chosen in the panel, opened from a file, and solved beside the running sea.
+
+use super::App;
+use crate::app::language::{say, text, tr};
+use crate::coast::placed::PlacedCoast;
+use crate::coast::transfer::TransferSolver;
+use crate::files::bathymetry::{self, ReadAs};
+use crate::ocean::coast_task::{CoastTask, ShownCoast, Worker};
+use crate::state::Params;
+use crate::state::coast::{Coast, CoastFile, CoastName};
+use crate::state::params::Camera;
+
+/// Work on the coast in each frame of the page, which has no threads. It leaves time for the frame itself.
+#[cfg(target_arch = "wasm32")]
+const SLICE: web_time::Duration = web_time::Duration::from_millis(5);
+/// Interval at which the progress of the solution is shown, while nothing else asks for frames.
+#[cfg(not(target_arch = "wasm32"))]
+const SHOWN_EVERY: std::time::Duration = std::time::Duration::from_millis(100);
+/// Height of the eye before a shore, m, and pitch of the view, degrees.
+const SHORE_VIEW: (f64, f64) = (6.0, -3.0);
+/// Difference of the depth of the sea from that of the coast's seaward edge that is worth a notice, as a ratio.
+const DEPTH_TOLERANCE: f64 = 0.05;
+
+/// The coasts that come with the program, each with its name in the panel.
+pub const COAST_NAMES: [(CoastName, &str); 8] = [
+    (CoastName::None, text!("Open sea")),
+    (CoastName::Beach, text!("Straight beach")),
+    (CoastName::Headland, text!("Headland and bay")),
+    (CoastName::Island, text!("Island with a lee")),
+    (CoastName::Harbour, text!("Harbour with breakwaters")),
+    (CoastName::Bar, text!("Bar and channel")),
+    (CoastName::Shoal, text!("Elliptic shoal")),
+    (CoastName::File, text!("From a file")),
+];
+
+/// The coast of the app, with the file that was opened last.
+pub struct AppCoast {
+    task: CoastTask<TransferSolver>,
+    /// The bathymetry that was opened last. It is used again when an opened link's coast is a file.
+    file: Option<CoastFile>,
+}
+
+impl Default for AppCoast {
+    fn default() -> Self {
+        #[cfg(target_arch = "wasm32")]
+        let worker = Worker::EachCall(SLICE);
+        #[cfg(not(target_arch = "wasm32"))]
+        let worker = Worker::Thread;
+        Self { task: CoastTask::new(worker), file: None }
+    }
+}
+
+impl AppCoast {
+    /// The land and the waves that the next frame shows.
+    pub fn shown(&self) -> ShownCoast {
+        (self.task.land().cloned(), self.task.transfer().cloned())
+    }
+
+    /// Whether frames take longer because the page solves the coast in them.
+    pub fn slows_frames(&self) -> bool {
+        cfg!(target_arch = "wasm32") && self.task.progress().is_some()
+    }
+}
+
+impl App {
+    /// Gives a coast that is a file the one that was opened last, if it has none.
+    pub(super) fn adopt_coast_file(&mut self) {
+        self.params.coast.adopt_file(self.coast.file.as_ref());
+    }
+
+    /// Places the coast of the parameters `drawn`, with which the next frame is drawn, and solves its waves.
+    pub(super) fn follow_coast(&mut self, drawn: &Params, ctx: &egui::Context) {
+        self.coast.task.update(drawn, ctx.input(|i| i.time));
+        if self.coast.task.is_busy(drawn) {
+            #[cfg(target_arch = "wasm32")]
+            ctx.request_repaint();
+            #[cfg(not(target_arch = "wasm32"))]
+            ctx.request_repaint_after(SHOWN_EVERY);
+        }
+    }
+
+    /// How far the solution of the coast is, in words; `None` if nothing is being solved.
+    pub(super) fn coast_progress(&self) -> Option<String> {
+        let percent = (100.0 * self.coast.task.progress()?).floor();
+        Some(say!("Waves find their way ashore: {percent} %", percent = percent))
+    }
+
+    /// Notices about the coast, in English.
+    pub(super) fn coast_notices(&self) -> Vec<String> {
+        let mut notices = self.coast.task.notices();
+        if let Some(edge_m) = self.unlike_depth_m() {
+            notices.push(format!(
+                "the sea is {} m deep, and the coast begins in {edge_m} m: the waves jump where they meet",
+                self.params.sea.depth_m
+            ));
+        }
+        notices
+    }
+
+    /// Depth of the seaward edge of the coast, rounded to decimetres, if that of the sea is another one.
+    pub(super) fn unlike_depth_m(&self) -> Option<f64> {
+        let edge_m = rounded_depth_m(self.coast.task.land()?);
+        let ratio = self.params.sea.depth_m / edge_m;
+        (!(1.0 - DEPTH_TOLERANCE..1.0 + DEPTH_TOLERANCE).contains(&ratio)).then_some(edge_m)
+    }
+
+    /// Gives the sea the coast `name`, the depth of its seaward edge, and a camera before its shore.
+    pub(super) fn choose_coast(&mut self, name: CoastName) {
+        let mut coast = Coast { name, ..Coast::default() };
+        coast.adopt_file(self.coast.file.as_ref());
+        match PlacedCoast::of_state(&coast, None) {
+            Ok(land) => self.go_to_coast(coast, land.as_ref()),
+            Err(reason) => self.notices = vec![reason],
+        }
+    }
+
+    fn go_to_coast(&mut self, coast: Coast, land: Option<&PlacedCoast>) {
+        self.params.coast = coast;
+        self.restarts_foam = true;
+        let Some(land) = land else {
+            self.params.sea.depth_m = Params::default().sea.depth_m;
+            return;
+        };
+        self.params.sea.depth_m = rounded_depth_m(land);
+        let ([x_m, z_m], heading_deg) = land.shore_view();
+        let (y_m, pitch_deg) = SHORE_VIEW;
+        let [x_m, z_m, heading_deg] = [x_m, z_m, heading_deg].map(f64::round);
+        let camera = &self.params.camera;
+        self.params.camera =
+            Camera { x_m, y_m, z_m, dive_m: 0.0, heading_deg, pitch_deg, fov_deg: camera.fov_deg, mode: camera.mode };
+    }
+
+    /// Makes the bathymetry in `bytes` the coast.
+    ///
+    /// # Errors
+    /// One sentence, if it cannot be read, or has no open sea where waves could come from.
+    pub(super) fn use_coast_file(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
+        let file = CoastFile(std::sync::Arc::new(bathymetry::read(name, bytes, ReadAs::default())?));
+        let coast = Coast { name: CoastName::File, file: Some(file.clone()), ..Coast::default() };
+        let land = PlacedCoast::of_state(&coast, None)?;
+        let about = land.as_ref().map(|land| land.about.clone()).unwrap_or_default();
+        let (columns, rows) = (file.0.grid.columns, file.0.grid.rows);
+        self.news = vec![format!("{}: {columns} x {rows}, {about}", file.0.name)];
+        self.notices.clear();
+        self.coast.file = Some(file);
+        self.go_to_coast(coast, land.as_ref());
+        Ok(())
+    }
+
+    /// Whether the waves near the coast of the parameters are there, or the sea is open.
+    pub fn is_coast_shown(&self) -> bool {
+        !self.coast.task.is_busy(&self.params_to_draw())
+    }
+
+    /// Whether a bathymetry was opened since the start.
+    pub(super) fn has_coast_file(&self) -> bool {
+        self.coast.file.is_some()
+    }
+
+    /// The name of the coast in the language of the interface; `None` in the open sea.
+    pub(super) fn coast_in_words(&self) -> Option<&'static str> {
+        let coast = &self.params.coast;
+        let (_, name) = COAST_NAMES.iter().find(|(name, _)| *name == coast.name).filter(|_| coast.is_on())?;
+        Some(tr(name))
+    }
+}
+
+/// Depth of the sea that fits a coast, m: that of its seaward edge, rounded to decimetres.
+fn rounded_depth_m(land: &PlacedCoast) -> f64 {
+    (10.0 * land.seaward_depth_m()).round() / 10.0
+}
