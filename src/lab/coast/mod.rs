@@ -138,7 +138,7 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
     };
     // Waves break together, which the parabolic equation finds out on their way.
     let (marched, dissipation) = parabolic::solve(&coast.bathymetry, &bins, &options);
-    let reflection = reflection(&coast, &open, gravity_m_s2);
+    let reflection = reflection(&coast, open.hs_m, gravity_m_s2 * open.tp_s * open.tp_s / TAU);
     let solve = |waves: &[Incident], marched: Option<Field>| match (solver, marched) {
         (Solver::Parabolic, Some(field)) => field,
         (Solver::Parabolic, None) => parabolic::solve(&coast.bathymetry, waves, &options).0,
@@ -163,10 +163,10 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
     Ok(CoastSea { state: query::write(params), coast, open, maps, surface_m, gauges, run_up })
 }
 
-/// Reflection coefficient of each point of land: that of a structure beside it, else by the slope of the shore.
-fn reflection(coast: &PlacedCoast, open: &OpenSea, gravity_m_s2: f64) -> Vec<f32> {
-    let wavelength_m = gravity_m_s2 * open.tp_s * open.tp_s / TAU;
-    let mut list = elliptic::reflection_by_slope(&coast.bathymetry, open.hs_m, wavelength_m);
+/// Reflection coefficient of each point of land: that of a structure beside it, else by the slope of the shore for a sea
+/// of the height `hs_m` (m) with waves of `wavelength_m` (m) in deep water.
+pub(in crate::lab) fn reflection(coast: &PlacedCoast, hs_m: f64, wavelength_m: f64) -> Vec<f32> {
+    let mut list = elliptic::reflection_by_slope(&coast.bathymetry, hs_m, wavelength_m);
     let grid = &coast.bathymetry;
     for (index, value) in list.iter_mut().enumerate().filter(|(index, _)| grid.depth_m[*index] <= 0.0) {
         let [x, y] = [index % grid.columns, index / grid.columns].map(|i| i as f64 * grid.cell_m);
@@ -178,7 +178,7 @@ fn reflection(coast: &PlacedCoast, open: &OpenSea, gravity_m_s2: f64) -> Vec<f32
 }
 
 /// Mean depth of the water at the side that faces the open sea, m.
-fn edge_depth_m(coast: &PlacedCoast) -> f64 {
+pub(in crate::lab) fn edge_depth_m(coast: &PlacedCoast) -> f64 {
     let grid = &coast.bathymetry;
     let wet: Vec<f64> = (0..grid.rows).map(|j| grid.at(0, j)).filter(|depth_m| *depth_m > 0.5).collect();
     wet.iter().sum::<f64>() / wet.len().max(1) as f64

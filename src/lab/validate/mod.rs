@@ -3,6 +3,7 @@
 //! Without a GPU only the measured table cells are missing; the tests compare all others with docs/validation.md.
 
 pub mod cells;
+pub mod coast;
 mod crests;
 mod depth;
 mod dispersion;
