@@ -16,7 +16,7 @@ fn flat_bed_is_the_open_sea() {
 #[test]
 fn plane_beach_follows_snell_and_green() {
     for (period_s, direction_deg) in [(10.0, 30.0), (10.0, 0.0), (6.0, -50.0), (14.0, 60.0)] {
-        let beach = plane::plane_beach(period_s, direction_deg);
+        let beach = plane::plane_beach(&plane::BEACH, period_s, direction_deg);
         for point in beach.rows.iter().flatten() {
             assert!((point.height / point.expected_height - 1.0).abs() < 0.01, "{point:?}");
             assert!((point.flux - 1.0).abs() < 0.005, "{point:?}");
@@ -26,6 +26,12 @@ fn plane_beach_follows_snell_and_green() {
         assert!(shallowest.depth_m < 1.5 && beach.rows[1][0].depth_m == 10.0);
         assert!(beach.phase_error_rad.abs() < 2e-3, "phase differs by {}", beach.phase_error_rad);
     }
+    // In SWAN's test A11 waves come from 20 m of depth, and SWAN gives their height where it is 0.2 m.
+    let beach = plane::plane_beach(&plane::SWAN_BEACH, 10.0, 30.0);
+    let last = beach.rows[1].last().expect("points");
+    assert!((last.depth_m - 0.2).abs() < 1e-4, "{last:?}");
+    assert!((last.height / plane::SWAN_HS_M - 1.0).abs() < 0.01, "{last:?}");
+    assert!((last.direction_deg - last.expected_direction_deg).abs() < 0.5, "{last:?}");
 }
 
 /// Hs of a random sea across a plane beach against a Runge-Kutta integration of Battjes and Janssen's balance

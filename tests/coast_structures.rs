@@ -55,6 +55,8 @@ fn elliptic_shoal_of_berkhoff_booij_and_radder() {
     assert_eq!(sections.len(), 8);
     for section in &sections {
         assert!(section.agreement() > 0.95, "section {}: {}", section.number, section.agreement());
+        let measured = [1, 2].map(|solution| section.agreement_with_measured(solution));
+        eprintln!("section {}: {:.3}, measured {measured:.3?}", section.number, section.agreement());
     }
     // The shoal focuses: the waves behind it are more than twice as high.
     let highest = sections.iter().flat_map(|s| &s.points).map(|p| p[2]).fold(0.0, f64::max);

@@ -3,6 +3,7 @@
 //! Each case is a function that solves it and returns the solution beside theory. The page shows the cases, and
 //! `tests/coast*.rs` hold them to their limits.
 
+pub mod berkhoff;
 pub mod gap;
 pub mod page_plane;
 pub mod page_random;
@@ -29,8 +30,8 @@ pub fn add_part(page: &mut MarkdownPage) -> Result<(), String> {
     page.paragraph(
         "The mild-slope equation brings the components of a sea ashore ([design](design/coast.md)): the parabolic \
          solution holds the waves that travel shoreward, the elliptic one all. The numbers come from the solvers on the \
-         CPU, and theory shares no code with them. No measured coast is compared: the published measurements of these \
-         cases could not be had, so each is held against an analytic solution or an independent integration.",
+         CPU, and theory shares no code with them. Published numbers are compared where they could be had, which the sections \
+         say; all other cases are held against an analytic solution or an independent integration.",
     );
     page_plane::add_flat_bed(page);
     page_plane::add_plane_beach(page)?;

@@ -1,6 +1,6 @@
 //! The page's sections on straight contours: flat bed, plane beach, surf zone.
 
-use super::plane::{self, BEACH_DEPTH_M, BEACH_END_M, BeachPoint};
+use super::plane::{self, BEACH, BeachPoint, SWAN_BEACH, SWAN_HS_M};
 use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData};
 use crate::lab::page::MarkdownPage;
 use crate::lab::validate::cells::format_number;
@@ -36,20 +36,23 @@ pub fn add_flat_bed(page: &mut MarkdownPage) {
 pub fn add_plane_beach(page: &mut MarkdownPage) -> Result<(), String> {
     page.heading(3, "Plane beach");
     page.paragraph(&format!(
-        "A beach of 1:100 from {BEACH_DEPTH_M:.0} m to {BEACH_END_M:.1} m of depth without losses, parabolic solution. \
-         Theory is Snell's law for the direction and the conservation of the energy flux (Green's law) for the height, \
-         both from the dispersion relation by bisection. The wave of 10 s and 30° has the geometry of the test A01 of \
-         SWAN's suite; SWAN's own numbers could not be had, so theory stands in their place. The phase is compared with \
-         an integration of the wave number in ten thousand steps."
+        "A beach of 1:100 from {:.0} m to {:.1} m of depth without losses, parabolic solution. Theory is Snell's law for \
+         the direction and the conservation of the energy flux (Green's law) for the height, both from the dispersion \
+         relation by bisection. The phase is compared with an integration of the wave number in ten thousand steps.",
+        BEACH.depth_m, BEACH.end_m
     ));
-    let x = Axis::linear("depth, m", 0.0, BEACH_DEPTH_M);
+    let x = Axis::linear("depth, m", 0.0, BEACH.depth_m);
     let mut height =
         Figure::new("Shoaling", x.clone(), Axis::linear("height / height in 10 m", 0.8, 1.5), LegendCorner::UpperRight);
-    let mut direction =
-        Figure::new("Refraction", x, Axis::linear("direction from shoreward, °", -60.0, 60.0), LegendCorner::LowerRight);
+    let mut direction = Figure::new(
+        "Refraction",
+        x,
+        Axis::linear("direction from shoreward, °", -60.0, 60.0),
+        LegendCorner::LowerRight,
+    );
     let mut rows = Vec::new();
     for (colour, (period_s, direction_deg)) in BEACH_WAVES.into_iter().enumerate() {
-        let beach = plane::plane_beach(period_s, direction_deg);
+        let beach = plane::plane_beach(&BEACH, period_s, direction_deg);
         let middle = &beach.rows[1];
         let line = |of: fn(&BeachPoint) -> f64| SeriesData::Line(middle.iter().map(|p| [p.depth_m, of(p)]).collect());
         let circles = |of: fn(&BeachPoint) -> f64| {
@@ -81,6 +84,21 @@ pub fn add_plane_beach(page: &mut MarkdownPage) -> Result<(), String> {
         "period, s | direction in 10 m, ° | largest deviation of the height | of the direction | of the energy flux | \
          of the phase, rad",
         &rows,
+    );
+    let last = plane::plane_beach(&SWAN_BEACH, 10.0, 30.0).rows[1].last().copied().ok_or("a beach without points")?;
+    page.paragraph(&format!(
+        "SWAN's test A11 (refraction and shoaling alone) sends the wave of 10 s and 30°, 1 m high, from {:.0} m of depth up \
+         a slope of 1:{:.0}. The table that comes with the test ends in 0.2 m of depth:",
+        SWAN_BEACH.depth_m,
+        1.0 / SWAN_BEACH.slope
+    ));
+    let cell = |value: f64| format_number(value, 3);
+    page.table(
+        "in 0.2 m of depth | SWAN 41.10 | theory | parabolic",
+        &[
+            vec!["height, m".into(), cell(SWAN_HS_M), cell(last.expected_height), cell(last.height)],
+            vec!["direction, °".into(), "–".into(), cell(last.expected_direction_deg), cell(last.direction_deg)],
+        ],
     );
     Ok(())
 }

@@ -62,7 +62,11 @@ pub fn add_random_sea(page: &mut MarkdownPage) -> Result<(), String> {
     };
     let alone = [open];
     let mut rows = vec![
-        ["open sea".to_owned(), "99 %".to_owned()].into_iter().chain(deviation_cells(&alone)).chain(cells(&alone)).collect(),
+        ["open sea".to_owned(), "99 %".to_owned()]
+            .into_iter()
+            .chain(deviation_cells(&alone))
+            .chain(cells(&alone))
+            .collect(),
     ];
     for (colour, coast) in coasts.iter().enumerate() {
         let point = |g: &PointStatistics| {

@@ -106,7 +106,8 @@ pub fn add_pile(page: &mut MarkdownPage) -> Result<(), String> {
         let case = structures::pile(period_s, direction_deg);
         let title = format!("Pile, waves of {period_s} s at {direction_deg:.0}°");
         let x = Axis::linear("distance from the middle, radii", -3.4, 3.4);
-        let mut figure = Figure::new(&title, x, Axis::linear("amplitude / arriving", 0.0, 2.6), LegendCorner::UpperRight);
+        let mut figure =
+            Figure::new(&title, x, Axis::linear("amplitude / arriving", 0.0, 2.6), LegendCorner::UpperRight);
         for (colour, (label, line)) in [("along x", (1, 0.0)), ("along y", (0, 0.0))].into_iter().enumerate() {
             figure = with_line(figure, &case, line, PILE_RADIUS_M, (label, colour));
         }

@@ -5,12 +5,26 @@ use super::theory::{self, group_velocity, wave_number};
 use crate::coast::{Bathymetry, Dissipation, Field, Incident, Losses, Options, elliptic, parabolic};
 use std::f64::consts::{PI, TAU};
 
-/// Depth at the seaward edge of the plane beach, m.
-pub const BEACH_DEPTH_M: f64 = 10.0;
-/// Slope of the plane beach.
-pub const BEACH_SLOPE: f64 = 0.01;
-/// Depth at which the comparison over the plane beach ends, m: waves of 1 m would break there.
-pub const BEACH_END_M: f64 = 1.4;
+/// A plane beach.
+#[derive(Clone, Copy, Debug)]
+pub struct Beach {
+    /// Depth at the seaward edge of the grid, m.
+    pub depth_m: f64,
+    /// Slope, height over length.
+    pub slope: f64,
+    /// Depth down to which waves are compared, m.
+    pub end_m: f64,
+    /// Distance of the points, m.
+    pub cell_m: f64,
+}
+
+/// A beach from 10 m of depth to where waves of 1 m would break.
+pub const BEACH: Beach = Beach { depth_m: 10.0, slope: 0.01, end_m: 1.4, cell_m: 7.5 };
+/// The beach of the test A11 (refraction) of SWAN's suite: 20 m of depth over 4 km.
+pub const SWAN_BEACH: Beach = Beach { depth_m: 20.0, slope: 0.005, end_m: 0.19, cell_m: 10.0 };
+/// Significant wave height in 0.2 m of depth, m, that SWAN 41.10 gives on [`SWAN_BEACH`] for waves of 1 m and 10 s that
+/// come from 30 degrees, without losses: the largest value of the table that comes with the test.
+pub const SWAN_HS_M: f64 = 2.402;
 
 /// A wave of amplitude 1 m that travels at `direction_deg` (degrees) from straight shoreward.
 pub fn wave(period_s: f64, direction_deg: f64) -> Incident {
@@ -96,19 +110,21 @@ pub struct PlaneBeach {
     pub phase_error_rad: f64,
 }
 
-/// Solves a wave over the plane beach from [`BEACH_DEPTH_M`] to [`BEACH_END_M`] with the parabolic equation.
-pub fn plane_beach(period_s: f64, direction_deg: f64) -> PlaneBeach {
-    let (columns, rows, cell_m) = (120, 40, 7.5);
-    let bathymetry = Bathymetry::from_fn(columns, rows, cell_m, |x, _| BEACH_DEPTH_M - BEACH_SLOPE * x);
+/// Solves a wave over a plane beach with the parabolic equation.
+pub fn plane_beach(beach: &Beach, period_s: f64, direction_deg: f64) -> PlaneBeach {
+    let (rows, depth_at) = (40, |x: f64| beach.depth_m - beach.slope * x);
+    // A few columns more than are compared.
+    let columns = ((beach.depth_m - 0.7 * beach.end_m) / beach.slope / beach.cell_m) as usize;
+    let bathymetry = Bathymetry::from_fn(columns, rows, beach.cell_m, |x, _| depth_at(x));
     let incident = wave(period_s, direction_deg);
     let (field, _) = parabolic::solve(&bathymetry, &[incident], &without_losses());
     let omega = incident.omega_rad_s;
-    let ky = wave_number(omega, BEACH_DEPTH_M, GRAVITY_M_S2) * incident.direction_rad.sin();
+    let ky = wave_number(omega, beach.depth_m, GRAVITY_M_S2) * incident.direction_rad.sin();
     let flux_of = |height: f64, depth_m: f64| {
         let cos = (1.0 - (ky / wave_number(omega, depth_m, GRAVITY_M_S2)).powi(2)).sqrt();
         height * height * group_velocity(omega, depth_m, GRAVITY_M_S2) * cos
     };
-    let open_flux = flux_of(1.0, BEACH_DEPTH_M);
+    let open_flux = flux_of(1.0, beach.depth_m);
     let point = |i: usize, j: usize| {
         let depth_m = bathymetry.at(i, j);
         let height = field.amplitude(0, i, j).modulus();
@@ -121,9 +137,10 @@ pub fn plane_beach(period_s: f64, direction_deg: f64) -> PlaneBeach {
             flux: flux_of(height, depth_m) / open_flux,
         }
     };
-    let deep_enough = |i: &usize| BEACH_DEPTH_M - BEACH_SLOPE * cell_m * *i as f64 > BEACH_END_M;
-    let row = |j: usize| (0..columns).filter(deep_enough).map(|i| point(i, j)).collect();
-    PlaneBeach { rows: [0, 13, rows - 1].map(row), phase_error_rad: phase_error_rad(&field, columns - 20, ky) }
+    let compared: Vec<usize> = (0..columns).filter(|i| depth_at(beach.cell_m * *i as f64) > beach.end_m).collect();
+    let row = |j: usize| compared.iter().map(|i| point(*i, j)).collect();
+    let end = compared.len() - 1;
+    PlaneBeach { rows: [0, 13, rows - 1].map(row), phase_error_rad: phase_error_rad(&field, end, ky, depth_at) }
 }
 
 /// Direction in which the first component travels at a point, degrees, from differences of its phase.
@@ -134,14 +151,11 @@ fn direction_deg_of(field: &Field, i: usize, j: usize) -> f64 {
 }
 
 /// Difference of the phase at the column `end` of the first row from an integration of kx in ten thousand steps, rad.
-fn phase_error_rad(field: &Field, end: usize, ky: f64) -> f64 {
+fn phase_error_rad(field: &Field, end: usize, ky: f64, depth_at: impl Fn(f64) -> f64) -> f64 {
     let incident = field.components[0].incident;
     let steps = 10_000;
     let dx = end as f64 * field.cell_m / f64::from(steps);
-    let kx = |x: f64| {
-        let depth_m = BEACH_DEPTH_M - BEACH_SLOPE * x;
-        (wave_number(incident.omega_rad_s, depth_m, GRAVITY_M_S2).powi(2) - ky * ky).sqrt()
-    };
+    let kx = |x: f64| (wave_number(incident.omega_rad_s, depth_at(x), GRAVITY_M_S2).powi(2) - ky * ky).sqrt();
     let phase: f64 = (0..steps).map(|step| dx * kx((f64::from(step) + 0.5) * dx)).sum::<f64>() + incident.phase_rad;
     let difference = field.amplitude(0, end, 0).argument() - phase;
     (difference + PI).rem_euclid(TAU) - PI
@@ -179,7 +193,7 @@ pub struct SurfPoint {
 pub fn surf(hs_m: f64, period_s: f64, slope: f64) -> Vec<SurfPoint> {
     let cell_m = 4.0;
     let columns = (9.5 / slope / cell_m) as usize;
-    let bathymetry = Bathymetry::from_fn(columns, 12, cell_m, |x, _| BEACH_DEPTH_M - slope * x);
+    let bathymetry = Bathymetry::from_fn(columns, 12, cell_m, |x, _| BEACH.depth_m - slope * x);
     let amplitude_m = (hs_m * hs_m / 8.0 / 40.0_f64).sqrt();
     let component = |n: i32| Incident {
         amplitude_m,
@@ -190,7 +204,7 @@ pub fn surf(hs_m: f64, period_s: f64, slope: f64) -> Vec<SurfPoint> {
     let waves: Vec<Incident> = (0..40).map(component).collect();
     let losses = Losses { friction_m2_s3: 0.0, ..Losses::default() };
     let (field, dissipation) = parabolic::solve(&bathymetry, &waves, &Options { losses, ..without_losses() });
-    let expected = theory::battjes_janssen_hs_m(hs_m, TAU / period_s, BEACH_DEPTH_M, slope, GRAVITY_M_S2);
+    let expected = theory::battjes_janssen_hs_m(hs_m, TAU / period_s, BEACH.depth_m, slope, GRAVITY_M_S2);
     let point = |i: usize| {
         let variance: f64 = (0..40).map(|c| 0.5 * field.amplitude(c, i, 6).norm_squared()).sum();
         SurfPoint {

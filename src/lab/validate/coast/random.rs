@@ -131,9 +131,8 @@ pub struct PointStatistics {
 
 impl PointStatistics {
     fn new(depth_m: f64, expected_m2: f64, records: &[RecordStatistics]) -> Self {
-        let mean = |of: fn(&RecordStatistics) -> f64| {
-            EstimateWithError::mean(&records.iter().map(of).collect::<Vec<_>>())
-        };
+        let mean =
+            |of: fn(&RecordStatistics) -> f64| EstimateWithError::mean(&records.iter().map(of).collect::<Vec<_>>());
         Self {
             depth_m,
             expected_m2,
@@ -174,9 +173,7 @@ fn records(waves: &[LatticeWave], transfers: &[Vec<[f64; 2]>]) -> Vec<Vec<Record
     let turns: Vec<[Vec<f64>; 2]> = (waves.iter())
         .map(|wave| {
             let phase = |n: usize| -wave.incident.omega_rad_s * STEP_S * n as f64;
-            [0, 1].map(|part| {
-                (0..SAMPLES).map(|n| if part == 0 { phase(n).cos() } else { phase(n).sin() }).collect()
-            })
+            [0, 1].map(|part| (0..SAMPLES).map(|n| if part == 0 { phase(n).cos() } else { phase(n).sin() }).collect())
         })
         .collect();
     let of_seed = |seed: u32| -> Vec<RecordStatistics> {

@@ -1,6 +1,7 @@
 //! Waves over beds that are not straight: an island, a slope between two depths, an elliptic shoal.
 
 use super::GRAVITY_M_S2;
+use super::berkhoff::{ARRIVING_MM, SECTIONS};
 use super::plane::{wave, without_losses};
 use super::structures::{AmplitudeFigure, compare, solve};
 use super::theory::{self, wave_number};
@@ -73,23 +74,42 @@ pub fn slope_reflection(width_m: f64) -> f64 {
     theory::slope(TAU / SLOPE_PERIOD_S, depth, [0.0, width_m], GRAVITY_M_S2).0
 }
 
-/// A measured section of the elliptic shoal.
+/// Sign of the y axis of the measurements in the frame of [`elliptic_shoal`].
+const MEASURED_Y_SIGN: f64 = 1.0;
+
+/// A measured section of the elliptic shoal. All amplitudes are fractions of that of the arriving waves.
 #[derive(Clone, Debug)]
 pub struct ShoalSection {
     /// Its number, 1 to 8.
     pub number: usize,
-    /// Place along the section, m; amplitude over that of the open water by the parabolic and by the fine elliptic solution.
+    /// Place along the section, m; amplitude by the parabolic and by the fine elliptic solution.
     pub points: Vec<[f64; 3]>,
+    /// Place along the section, m, and measured amplitude.
+    pub measured: Vec<[f64; 2]>,
 }
 
 impl ShoalSection {
-    /// Index of agreement (Willmott 1981) of both solutions, 1 for equal ones.
+    /// Index of agreement of both solutions.
     pub fn agreement(&self) -> f64 {
-        let mean = self.points.iter().map(|p| p[2]).sum::<f64>() / self.points.len() as f64;
-        let apart: f64 = self.points.iter().map(|p| (p[1] - p[2]).powi(2)).sum();
-        let spread: f64 = self.points.iter().map(|p| ((p[1] - mean).abs() + (p[2] - mean).abs()).powi(2)).sum();
-        1.0 - apart / spread
+        agreement(self.points.iter().map(|p| [p[1], p[2]]))
     }
+
+    /// Index of agreement of a solution (1 parabolic, 2 elliptic) with the measurements.
+    pub fn agreement_with_measured(&self, solution: usize) -> f64 {
+        agreement(self.measured.iter().filter_map(|[place, amplitude]| {
+            let point = self.points.iter().find(|p| (p[0] - place).abs() < 1e-6)?;
+            Some([point[solution], *amplitude])
+        }))
+    }
+}
+
+/// Index of agreement (Willmott 1981) of pairs of a predicted and a true value, 1 for equal ones.
+fn agreement(pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
+    let pairs: Vec<[f64; 2]> = pairs.collect();
+    let mean = pairs.iter().map(|p| p[1]).sum::<f64>() / pairs.len() as f64;
+    let apart: f64 = pairs.iter().map(|p| (p[0] - p[1]).powi(2)).sum();
+    let spread: f64 = pairs.iter().map(|p| ((p[0] - mean).abs() + (p[1] - mean).abs()).powi(2)).sum();
+    1.0 - apart / spread
 }
 
 /// Depth in the basin of Berkhoff, Booij and Radder 1982, m, x and y from the middle of the shoal. Waves of 1 s travel
@@ -120,10 +140,18 @@ pub fn elliptic_shoal() -> Vec<ShoalSection> {
         [place, marched.amplitude(0, i, j).modulus(), exact.amplitude(0, 2 * i, 2 * j).modulus()]
     };
     // Sections 1 to 5 run across the waves behind the shoal, 6 to 8 along them.
-    let across =
-        [1.0, 3.0, 5.0, 7.0, 9.0].map(|x| (-20..=20).map(|n| 0.25 * f64::from(n)).map(|y| point((x, y), y)).collect());
-    let along =
-        [-2.0, 0.0, 2.0].map(|y| (0..=40).map(|n| 0.25 * f64::from(n)).map(|x| point((x, y), x)).collect());
-    let section = |(index, points)| ShoalSection { number: index + 1, points };
+    let across = [1.0, 3.0, 5.0, 7.0, 9.0].map(|x| {
+        let places = (-20..=20).map(|n| 0.25 * f64::from(n));
+        places.map(|y| point((x, y), y)).collect::<Vec<_>>()
+    });
+    let along = [-2.0, 0.0, 2.0].map(|y| {
+        let places = (0..=44).map(|n| 0.25 * f64::from(n));
+        places.map(|x| point((x, MEASURED_Y_SIGN * y), x)).collect::<Vec<_>>()
+    });
+    let section = |(index, points): (usize, Vec<[f64; 3]>)| {
+        let sign = if index < 5 { MEASURED_Y_SIGN } else { 1.0 };
+        let measured = SECTIONS[index].iter().map(|[place, mm]| [sign * place, mm / ARRIVING_MM]).collect();
+        ShoalSection { number: index + 1, points, measured }
+    };
     across.into_iter().chain(along).enumerate().map(section).collect()
 }

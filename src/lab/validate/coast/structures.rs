@@ -113,9 +113,8 @@ fn wall_wave_number() -> f64 {
 /// that travel at `direction_deg` (degrees).
 pub fn breakwater(direction_deg: f64) -> AmplitudeFigure {
     let head = 60;
-    let at_wall = |x: f64, y: f64| {
-        (x / WALL_CELL_M - WALL_COLUMN as f64).abs() < 0.5 && y / WALL_CELL_M > f64::from(head) - 0.25
-    };
+    let at_wall =
+        |x: f64, y: f64| (x / WALL_CELL_M - WALL_COLUMN as f64).abs() < 0.5 && y / WALL_CELL_M > f64::from(head) - 0.25;
     let depth = |x: f64, y: f64| if at_wall(x, y) { -3.0 } else { DEPTH_M };
     let bathymetry = Bathymetry::from_fn(WALL_COLUMNS, 121, WALL_CELL_M, depth);
     let incident = wave(WALL_PERIOD_S, direction_deg);
