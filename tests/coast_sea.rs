@@ -2,6 +2,7 @@
 
 use seastate::coast::incident::{Placement, spectrum_bins, strongest_waves};
 use seastate::coast::{Bathymetry, Incident, Losses, Options, SeaMaps, parabolic};
+use seastate::lab::validate::coast::{random, runup};
 use seastate::state::query;
 use seastate::waves::Plan;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -129,4 +130,36 @@ fn hash(n: u32) -> f64 {
     h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);
     h = (h ^ (h >> 13)).wrapping_mul(0xc2b2_ae35);
     f64::from(h ^ (h >> 16)) / f64::from(u32::MAX)
+}
+
+/// A random sea over the six built-in coasts: Hs at 20 gauges each over 64 seeds is that of the component sum, and the
+/// solved waves are enough for the kurtosis and the groups of the open sea.
+#[test]
+fn records_over_the_built_in_coasts() {
+    let open = random::open_sea().expect("a sea");
+    assert!(open.deviation().abs() < 2.0, "{open:?}");
+    let coasts = random::all_coasts().expect("six coasts");
+    assert_eq!(coasts.len(), 6);
+    let mut beyond = 0;
+    for coast in &coasts {
+        assert_eq!(coast.gauges.len(), random::GAUGES, "{}", coast.title);
+        assert!(coast.share > 0.7, "{}: {}", coast.title, coast.share);
+        for gauge in &coast.gauges {
+            beyond += usize::from(gauge.deviation().abs() > 2.0);
+            assert!(gauge.deviation().abs() < 3.5, "{}: {gauge:?}", coast.title);
+            assert!(gauge.kurtosis.value > open.kurtosis.value - 0.1, "{}: {gauge:?}", coast.title);
+            assert!(gauge.groupiness.value > open.groupiness.value - 0.1, "{}: {gauge:?}", coast.title);
+            assert!(gauge.succession.value > open.succession.value - 0.1, "{}: {gauge:?}", coast.title);
+        }
+    }
+    // One in twenty of the 120 gauges is expected beyond two standard errors; neighbours share their waves.
+    assert!(beyond <= 12, "{beyond}");
+}
+
+/// Run-up on plane beaches as the command prints it is within 10 % of the formula of Stockdon et al. 2006.
+#[test]
+fn run_up_over_the_range_of_the_formula() {
+    for case in runup::cases().expect("beaches") {
+        assert!((case.run_up_m / case.expected_m - 1.0).abs() < 0.1, "{case:?}");
+    }
 }

@@ -5,6 +5,7 @@ use crate::files::bathymetry::{self, ReadAs};
 use crate::files::input;
 use crate::files::measured::MeasuredSpectrum;
 use crate::lab::flip;
+use crate::lab::validate::PAGE_PARTS;
 use crate::state::coast::{CoastFile, CoastName};
 use crate::state::start::given_or_start;
 use crate::state::{Params, query};
@@ -264,6 +265,9 @@ pub enum Command {
         /// Number of seeds over which statistics are measured
         #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(2..=10_000))]
         seeds: u32,
+        /// Writes only this part, such as coast, in place of the one in the page that is there
+        #[arg(long, value_parser = clap::builder::PossibleValuesParser::new(PAGE_PARTS))]
+        only: Option<String>,
     },
     /// Renders the gallery's pictures and writes its page
     Gallery {

@@ -123,9 +123,14 @@ fn run(cli: Cli) -> Result<i32, String> {
             if json { pretty_json(&bench::report_json(&report)) } else { report.to_string() }
         }
         Some(Command::Info { json }) => about(json)?,
-        Some(Command::Validate { output, seeds }) => {
-            let page = validate::build_validation_page(Some(&gpu()?), seeds, &validate::PAGE_PARTS)?;
-            page.write(&output)?;
+        Some(Command::Validate { output, seeds, only }) => {
+            let parts = only.as_deref().map_or(validate::PAGE_PARTS.to_vec(), |part| vec![part]);
+            let page = validate::build_validation_page(Some(&gpu()?), seeds, &parts)?;
+            if only.is_some() {
+                page.write_chapters(&output)?
+            } else {
+                page.write(&output)?
+            }
             format!("{} and {} figures", output.join("validation.md").display(), page.figure_svgs().len())
         }
         Some(Command::Gallery { output, only, thumbnails }) => draw_gallery(&output, &only, thumbnails.as_deref())?,

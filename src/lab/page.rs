@@ -91,11 +91,67 @@ impl MarkdownPage {
     /// # Errors
     /// If a file cannot be written.
     pub fn write(&self, folder: &Path) -> Result<(), String> {
+        self.write_with_text(folder, &self.markdown())
+    }
+
+    /// Like [`Self::write`], but keeps the chapters (headings of level 2) of the validation.md in the folder, in which
+    /// those of this page take the place of the chapters with the same number, or follow the last one.
+    ///
+    /// # Errors
+    /// If the page in the folder cannot be read, or a file cannot be written.
+    pub fn write_chapters(&self, folder: &Path) -> Result<(), String> {
+        let path = folder.join("validation.md");
+        let old = std::fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+        self.write_with_text(folder, &with_chapters(&old, &self.markdown()))
+    }
+
+    fn write_with_text(&self, folder: &Path, text: &str) -> Result<(), String> {
         let drawings = folder.join("validation");
         create_folder(&drawings)?;
         for (figure, svg) in &self.figures {
             write_file(&drawings.join(format!("{figure}.svg")), svg)?;
         }
-        write_file(&folder.join("validation.md"), self.markdown())
+        write_file(&folder.join("validation.md"), text)
+    }
+}
+
+/// The text of a page in which the chapters of the page `new` take the place of those with the same number.
+fn with_chapters(old: &str, new: &str) -> String {
+    let split = |text: &str| -> Vec<String> {
+        let mut parts = vec![String::new()];
+        for line in text.trim_end().lines() {
+            if line.starts_with("## ") {
+                parts.push(String::new());
+            }
+            if let Some(part) = parts.last_mut() {
+                part.push_str(line);
+                part.push('\n');
+            }
+        }
+        // One empty line parts two chapters.
+        parts.iter().map(|part| format!("{}\n", part.trim_end())).collect()
+    };
+    let number = |part: &str| part.split('.').next().unwrap_or_default().to_owned();
+    let mut parts = split(old);
+    for chapter in split(new).into_iter().skip(1) {
+        match parts.iter_mut().skip(1).find(|part| number(part) == number(&chapter)) {
+            Some(part) => *part = chapter,
+            None => parts.push(chapter),
+        }
+    }
+    parts.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chapters_take_the_place_of_old_ones() {
+        let old = "# Page\n\nText.\n\n## 1. One\n\nOld one.\n\n## 2. Two\n\nOld two.\n";
+        assert_eq!(with_chapters(old, "# Page\n\nOther.\n"), old);
+        let new = "# Page\n\n## 1. Uno\n\nNew one.\n\n## 8. Eight\n\n### More\n";
+        let want = "# Page\n\nText.\n\n## 1. Uno\n\nNew one.\n\n## 2. Two\n\nOld two.\n\n## 8. Eight\n\n### More\n";
+        assert_eq!(with_chapters(old, new), want);
     }
 }

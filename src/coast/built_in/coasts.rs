@@ -39,6 +39,8 @@ pub fn island(x_m: f64, y_m: f64) -> f64 {
     let from_middle = (dx / 130.0).hypot(dy / 210.0) / outline;
     // Metres before the waterline, nearly: the size of the island times how far outside its outline the point is.
     let distance_m = 168.0 * (from_middle - 1.0);
+    // Farther out the bed falls to the depth that the mainland has there, so that the sea's edge is open water.
+    let distance_m = distance_m * (1.0 + smooth_step(1.6, 4.2, from_middle));
     let rockiness = smooth_step(-1.0, 1.0, -dx / 110.0);
     let island = shore_m(distance_m, rockiness, x_m, y_m);
     let hill = 4.0 * bell(from_middle, 0.6);

@@ -3,6 +3,7 @@
 //! Without a GPU only the measured table cells are missing; the tests compare all others with docs/validation.md.
 
 pub mod cells;
+pub mod coast;
 mod crests;
 mod depth;
 mod dispersion;
@@ -19,7 +20,8 @@ use crate::state::fields::{self, FieldKind};
 use measurement::MeasurementSetup;
 
 /// Names of the parts of the validation page, in order.
-pub const PAGE_PARTS: [&str; 7] = ["spectra", "spreading", "dispersion", "published", "depth", "surface", "crests"];
+pub const PAGE_PARTS: [&str; 8] =
+    ["spectra", "spreading", "dispersion", "published", "depth", "surface", "crests", "coast"];
 
 /// Builds the validation page from the parts named in `parts` (see [`PAGE_PARTS`]), measured over `seeds` seeds.
 /// Without a GPU its measured table cells hold [`cells::PENDING_CELL`].
@@ -42,6 +44,7 @@ pub fn build_validation_page(gpu: Option<&Gpu>, seeds: u32, parts: &[&str]) -> R
             "depth" => depth::add_part(&mut page, &lab)?,
             "surface" => surface::add_part(&mut page, &lab)?,
             "crests" => crests::add_part(&mut page, &lab)?,
+            "coast" => coast::add_part(&mut page)?,
             other => return Err(format!("the validation page has no part {other}")),
         }
     }

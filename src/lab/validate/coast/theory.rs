@@ -1,6 +1,4 @@
-//! Solutions that share no code with the solvers of `coast`.
-
-#![allow(dead_code, reason = "each test file uses a part")]
+//! Solutions in f64 that share no code with the solvers of [`crate::coast`].
 
 use std::f64::consts::TAU;
 
