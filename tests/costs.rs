@@ -262,12 +262,18 @@ fn the_costs_of_copying_and_enlarging_are_what_they_execute() {
     ]);
 }
 
-/// Cost of a pass of a coast in a thread whose loop runs once.
-fn with_one_turn(module: &str, of_loop: &str) -> Count {
-    let once = text(module).replace(of_loop, "{ let i = 0u; let g = 0u;");
-    assert!(!once.contains("for ("), "{module} has another loop");
-    let (parsed, info) = instrument::parse(&once);
-    counter::without_loops(&parsed, &info, "main")
+/// Cost of a pass of a coast in a thread whose loop `of_loop` runs once, and of one whose loop does not run.
+fn with_one_turn(module: &str, of_loop: &str) -> [Count; 2] {
+    let of = |text: &str| {
+        assert!(!text.contains("for ("), "{module} has another loop");
+        let (parsed, info) = instrument::parse(text);
+        counter::without_loops(&parsed, &info, "main")
+    };
+    let text = text(module);
+    let once = text.replace(of_loop, "{ let i = 0u; let g = 0u;");
+    let (before, from) = text.split_once(of_loop).expect("the loop");
+    let (_, after) = from.split_once("\n  }\n").expect("the end of the loop");
+    [of(&once), of(&format!("{before}\n{after}"))]
 }
 
 #[test]
@@ -277,20 +283,18 @@ fn the_costs_of_the_waves_at_a_coast_are_what_they_execute() {
     let of = |waves: u32, points: u32, groups: u32| {
         cost::coast_pass_cost(N, CoastSizes { waves, points, groups }, MapFormat::Half)
     };
-    let none = of(0, 0, 0);
-    let per_wave = of(1, 1, 0).flops - none.flops;
-    let per_group = (of(0, 0, 1).flops - none.flops) / texels;
+    let (none, of_waves, of_groups) = (of(0, 0, 0), of(1, 1, 0), of(0, 0, 1));
     let more = cost::row_and_column_pass_cost(N, 1, MapFormat::Half) + cost::mip_pass_cost(N, 2, MapFormat::Half);
-    let per_texel = (none.flops - more.flops) / texels;
-    let envelopes = with_one_turn("coast/envelopes", "for (var i = 0u; i < of_group.y; i++) {");
-    let sum = with_one_turn("coast/sum", "for (var g = 0u; g < coast.group_count; g++) {");
-    let gradients = with_one_turn("coast/gradients", "no loop");
-    eprintln!("{envelopes:?} {sum:?} {gradients:?}; {per_wave} {per_group} {per_texel}");
+    let [wave, point] = with_one_turn("coast/envelopes", "for (var i = 0u; i < of_group.y; i++) {");
+    let [group, texel] = with_one_turn("coast/sum", "for (var g = 0u; g < coast.group_count; g++) {");
+    let (parsed, info) = instrument::parse(&text("coast/gradients"));
+    let gradients = counter::without_loops(&parsed, &info, "main");
+    eprintln!("{wave:?} {point:?} {group:?} {texel:?} {gradients:?}");
     let is_near = |counted: f64, known: f64| (counted / known - 1.0).abs() < 0.05;
-    assert!(is_near(sum.ops + gradients.ops, per_group + per_texel), "{sum:?} {gradients:?}");
-    assert!((envelopes.ops - per_wave).abs() < 10.0, "besides, a thread of the envelopes finds its point");
-    let reads = (of(0, 0, 1).reads - more.reads) / texels;
-    assert_eq!(sum.reads + gradients.reads, reads);
+    assert!(is_near(wave.ops - point.ops, of_waves.flops - none.flops), "a wave");
+    assert!(is_near(group.ops - texel.ops, (of_groups.flops - none.flops) / texels), "a group");
+    assert!(is_near(texel.ops + gradients.ops, (none.flops - more.flops) / texels), "a texel");
+    assert_eq!(group.reads + gradients.reads, (of_groups.reads - more.reads) / texels);
 }
 
 #[test]

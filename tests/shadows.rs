@@ -66,6 +66,7 @@ impl Bench {
             (1, TextureView(&maps.gradients)),
             (4, Sampler(&simulation.resources.repeating_sampler)),
             (5, Sampler(&levels)),
+            (6, TextureView(&maps.no_coast)),
         ];
         kernel.bind(1, &resources);
         let [x, z] = ocean.scene(size).sea.downwind;

@@ -6,38 +6,39 @@
 @group(0) @binding(2) var<storage, read> fields: array<vec2f>; // [z][x]: elevation, m, and potential, m^2
 @group(0) @binding(3) var maps: texture_storage_2d_array<rgba16float, write>; // a third of the layers for each kind
 
-fn coast_fields(texel: vec2u, offset: vec2i) -> vec2f {
-  let at = bitcast<vec2u>(bitcast<vec2i>(texel) + offset) & vec2u(coast.n - 1u);
-  return fields[at.y * coast.n + at.x];
-}
+// Weights of the values two and one texels before and one and two behind, in the first and in the second derivative. The
+// value between them has the weight COAST_SECOND_HERE in the second.
+const COAST_FIRST = vec4f(1.0, -8.0, 8.0, -1.0) / 12.0;
+const COAST_SECOND = vec4f(-1.0, 16.0, 16.0, -1.0) / 12.0;
+const COAST_SECOND_HERE = -2.5;
 
-// Derivative along the direction `step`, in texels.
-fn coast_derivative(texel: vec2u, offset: vec2i, step: vec2i) -> vec2f {
-  let near = coast_fields(texel, offset + step) - coast_fields(texel, offset - step);
-  let far = coast_fields(texel, offset + 2 * step) - coast_fields(texel, offset - 2 * step);
-  return (8.0 * near - far) / 12.0;
-}
-
-fn coast_second_derivative(texel: vec2u, step: vec2i) -> f32 {
-  let near = coast_fields(texel, step).y + coast_fields(texel, -step).y;
-  let far = coast_fields(texel, 2 * step).y + coast_fields(texel, -2 * step).y;
-  return (16.0 * near - far - 30.0 * coast_fields(texel, vec2i(0)).y) / 12.0;
+// Derivative along x of the potential in the row of texels that begins at `row`, per texel.
+fn coast_potential_along_x(row: u32, columns: vec4u) -> f32 {
+  return dot(COAST_FIRST, vec4f(
+    fields[row + columns.x].y, fields[row + columns.y].y, fields[row + columns.z].y, fields[row + columns.w].y));
 }
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-  let texel = id.xy;
-  let x = vec2i(1, 0);
-  let z = vec2i(0, 1);
+  let steps = vec4u(coast.n - 2u, coast.n - 1u, 1u, 2u);
+  let columns = (id.x + steps) & vec4u(coast.n - 1u);
+  let rows = ((id.y + steps) & vec4u(coast.n - 1u)) * coast.n;
+  let row = id.y * coast.n;
+  let here = fields[row + id.x];
+  let along_x = mat4x2f(
+    fields[row + columns.x], fields[row + columns.y], fields[row + columns.z], fields[row + columns.w]);
+  let along_z = mat4x2f(
+    fields[rows.x + id.x], fields[rows.y + id.x], fields[rows.z + id.x], fields[rows.w + id.x]);
   let per_m = 1.0 / coast.texel_m;
-  let along_x = per_m * coast_derivative(texel, vec2i(0), x);
-  let along_z = per_m * coast_derivative(texel, vec2i(0), z);
-  let near = coast_derivative(texel, x, z).y - coast_derivative(texel, -x, z).y;
-  let far = coast_derivative(texel, 2 * x, z).y - coast_derivative(texel, -2 * x, z).y;
+  let dx = per_m * (along_x * COAST_FIRST);
+  let dz = per_m * (along_z * COAST_FIRST);
+  let own = COAST_SECOND_HERE * here.y;
+  let mixed = dot(COAST_FIRST, vec4f(
+    coast_potential_along_x(rows.x, columns), coast_potential_along_x(rows.y, columns),
+    coast_potential_along_x(rows.z, columns), coast_potential_along_x(rows.w, columns)));
   let second = (per_m * per_m)
-    * vec3f(coast_second_derivative(texel, x), coast_second_derivative(texel, z), (8.0 * near - far) / 12.0);
-  let height = coast_fields(texel, vec2i(0)).x;
+    * vec3f((along_x * COAST_SECOND).y + own, (along_z * COAST_SECOND).y + own, mixed);
   let layer = sea.first_layer + sea.cascade_count + 1u;
-  textureStore(maps, texel, layer, vec4f(along_x.y, height, along_z.y, second.z));
-  textureStore(maps, texel, textureNumLayers(maps) / 3u + layer, vec4f(along_x.x, along_z.x, second.xy));
+  textureStore(maps, id.xy, layer, vec4f(dx.y, here.x, dz.y, second.z));
+  textureStore(maps, id.xy, textureNumLayers(maps) / 3u + layer, vec4f(dx.x, dz.x, second.xy));
 }

@@ -107,25 +107,25 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
       }
       own += blend.weight.x * d.xyz;
     }
+    var level = share * share;
     if WATER_COAST {
       let gain = coast_gain(map, gains);
       own *= gain;
-      // The waves of a coast's layers come first. Those at the coast have no bound waves.
+      level *= gain * gain;
+      // The layers of a coast come first. Waves at the coast have no bound waves.
       if map.coast_gains.x == 0.0 {
         sum += own;
-        bound_m += (share * share * gain * gain) * map.bound_level_m;
+        bound_m += level * map.bound_level_m;
         offshore += map.coast_gains.y * own;
         continue;
       }
-      sum += own;
-      own += offshore;
-      offshore = vec3f(0.0);
-      bound_m += dot(own, 0.5 * map.bound_own.yxy * own + longer) + (share * share * gain * gain) * map.bound_level_m;
-      longer += map.bound_with_shorter.yxy * own;
-      continue;
     }
     sum += own;
-    bound_m += dot(own, 0.5 * map.bound_own.yxy * own + longer) + share * share * map.bound_level_m;
+    if WATER_COAST {
+      own += offshore;
+      offshore = vec3f(0.0);
+    }
+    bound_m += dot(own, 0.5 * map.bound_own.yxy * own + longer) + level * map.bound_level_m;
     longer += map.bound_with_shorter.yxy * own;
   }
   sum.y += bound_m;
