@@ -124,6 +124,7 @@ fn structures_reflect() {
         let (title, about) = ("wall".to_owned(), "A wall.".to_owned());
         let coast = PlacedCoast {
             title,
+            built_in: None,
             about,
             bathymetry,
             structures: vec![wall],

@@ -103,7 +103,7 @@ impl WaterLightVariant {
         }
     }
 
-    pub fn constants(self) -> [(&'static str, f64); 17] {
+    pub fn constants(self) -> [(&'static str, f64); 18] {
         [
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_LAND", self.land),
