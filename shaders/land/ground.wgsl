@@ -1,9 +1,7 @@
 // What the land looks like: sand, dune grass and heath, rock, the blocks of breakwaters and the concrete of a quay.
 
-// Sides of the tiles of noise, m: over hundreds of metres, tens, and metres.
+// Side of the tile of the noise over hundreds of metres, m.
 const LAND_WIDE_M = 437.0;
-const LAND_MIDDLE_M = 53.0;
-const LAND_FINE_M = 7.9;
 // Slopes between which land becomes rock.
 const LAND_ROCK_SLOPES = vec2f(0.45, 0.85);
 // Height above the still water, m, at which the first dune grass grows.
@@ -43,7 +41,7 @@ fn land_sand(height: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) ->
   // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet.x);
   var out: LandGround;
-  out.albedo = material.bed_colour * (land_sand_tone(middle, fine) * (1.0 + 0.07 * rippled * fine.y));
+  out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.07 * rippled * fine.y);
   // Driftweed lies along the line that the highest waves reach.
   let line = (height + 0.16 * middle.z - land.run_up_m - 0.12) * 4.5;
   let weed = exp(-line * line) * saturate(0.9 * fine.w + 0.5 * middle.w - 0.35);
@@ -121,7 +119,7 @@ fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4
 fn land_ground(place: vec2f, height: f32, map: vec4f, slope: vec2f, size: f32) -> LandGround {
   let wide = land_noise(place, LAND_WIDE_M, size);
   let middle = land_noise(place.yx, LAND_MIDDLE_M, size);
-  let fine = land_noise(vec2f(0.96 * place.x + 0.28 * place.y, 0.96 * place.y - 0.28 * place.x), LAND_FINE_M, size);
+  let fine = land_noise(land_turned(place), LAND_FINE_M, size);
   var out = land_sand(height, middle, fine, wide, size);
   if height > LAND_GRASS_M - 2.0 {
     out = land_plants(out, place, height, middle, fine, wide);

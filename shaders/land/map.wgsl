@@ -44,6 +44,15 @@ fn land_column_m(at: vec2f, run: vec2f, height: f32, size: f32) -> f32 {
   return max(land_depth_m(at + run * half, size) + height, 0.0);
 }
 
+// Sides of the tiles of noise, m: over tens of metres, and over metres.
+const LAND_MIDDLE_M = 53.0;
+const LAND_FINE_M = 7.9;
+
+// Axes of the finer noise, so that no two layers repeat in the same direction.
+fn land_turned(place: vec2f) -> vec2f {
+  return vec2f(0.96 * place.x + 0.28 * place.y, 0.96 * place.y - 0.28 * place.x);
+}
+
 // Noise of the ground: slope and height of ripples (x, y), normal noises, fractal (z) and of blocks (w), of a tile of
 // `tile_m` metres, over texels of `size` metres. They are those of the bed (src/render/water/bed.rs).
 fn land_noise(place: vec2f, tile_m: f32, size: f32) -> vec4f {
@@ -52,7 +61,10 @@ fn land_noise(place: vec2f, tile_m: f32, size: f32) -> vec4f {
   return (texel - 0.5) * vec4f(2.0, 3.2, 6.4, 6.4);
 }
 
-// Brightness of sand relative to its mean, from its noises over tens of metres and over metres.
-fn land_sand_tone(wide: vec4f, fine: vec4f) -> f32 {
-  return max(1.0 + 0.045 * wide.z + 0.05 * fine.z, 0.5);
+// Albedo of dry sand of a beach relative to that of the bed's, RGB: it is coarser, and the wind has sorted it.
+const LAND_SAND = vec3f(0.55, 0.52, 0.49);
+
+// Albedo of dry sand, from its noises over tens of metres and over metres.
+fn land_sand_albedo(middle: vec4f, fine: vec4f) -> vec3f {
+  return material.bed_colour * LAND_SAND * max(1.0 + 0.05 * middle.z + 0.06 * fine.z, 0.5);
 }

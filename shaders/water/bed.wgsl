@@ -170,9 +170,8 @@ fn bed_shore_share(column: f32) -> f32 {
 fn bed_shore_ground(ground: BedGround, at: vec2f, column: f32, size: f32) -> BedGround {
   let share = bed_shore_share(column);
   let place = land_place(at);
-  let tone = land_sand_tone(land_noise(place.yx, 53.0, size), land_noise(place, 7.9, size));
-  return BedGround(
-    mix(ground.albedo, material.bed_colour * tone, share), ground.slope * (1.0 - share * share));
+  let sand = land_sand_albedo(land_noise(place.yx, LAND_MIDDLE_M, size), land_noise(land_turned(place), LAND_FINE_M, size));
+  return BedGround(mix(ground.albedo, sand, share), ground.slope * (1.0 - share * share));
 }
 
 // Radiance inside the water towards the surface where the bed is visible. `deep`: radiance of bottomless water;
