@@ -8,7 +8,7 @@ use glam::{DMat2, DVec2, DVec3};
 use half::f16;
 use seastate::gpu::Gpu;
 use seastate::ocean::{Ocean, OutputKind};
-use seastate::render::{self, BedTexture, MaterialUniform};
+use seastate::render::{self, MaterialUniform, NoiseTexture};
 use seastate::shaders::Shaders;
 use seastate::state::fields::linear_rgb;
 use seastate::state::look::BedLook;
@@ -107,8 +107,7 @@ struct Bench {
     material: wgpu::Buffer,
     mirrored_sky: wgpu::TextureView,
     sky: wgpu::Sampler,
-    noise: wgpu::Sampler,
-    bed: BedTexture,
+    noise: NoiseTexture,
     foot: DVec2,
 }
 
@@ -137,11 +136,10 @@ impl Bench {
         let mirrored_sky = mirrored_sky(&gpu);
         let modes = [wgpu::AddressMode::Repeat, wgpu::AddressMode::ClampToEdge];
         let sky = gpu.sampler("made-up sky", modes, wgpu::MipmapFilterMode::Nearest);
-        let noise = gpu.sampler("noise", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear);
-        let mut bed = BedTexture::new(&gpu);
-        bed.fill_once(&gpu);
+        let mut noise = NoiseTexture::new(&gpu);
+        noise.fill_bed_once(&gpu);
         let foot = DVec2::new(params.camera.x_m, params.camera.z_m);
-        Self { gpu, ocean, frame, material, mirrored_sky, sky, noise, bed, foot }
+        Self { gpu, ocean, frame, material, mirrored_sky, sky, noise, foot }
     }
 
     fn kernel(&mut self, shaders: Shaders) -> Kernel<'_> {
@@ -168,10 +166,10 @@ impl Bench {
             &[
                 (0, self.frame.as_entire_binding()),
                 (5, BindingResource::Sampler(&self.sky)),
-                (7, BindingResource::Sampler(&self.noise)),
+                (7, BindingResource::Sampler(&self.noise.sampler)),
                 (9, self.material.as_entire_binding()),
                 (10, BindingResource::TextureView(&self.mirrored_sky)),
-                (13, BindingResource::TextureView(&self.bed.view)),
+                (6, BindingResource::TextureView(&self.noise.view)),
             ],
         );
         common::bind_maps(&mut kernel, &self.gpu, self.ocean.simulation());

@@ -78,7 +78,11 @@ impl Lab {
             return Some(format!("has {infinite} numbers in its maps that are not finite"));
         }
         ocean.set_params(p);
-        if solves_coast { ocean.solve_coast() } else { ocean.show_coast(Default::default()) }
+        if solves_coast {
+            ocean.solve_coast()
+        } else {
+            ocean.show_coast(Default::default())
+        }
         let mut encoder = gpu.encoder("test");
         // A few steps of the foam are enough to break a picture.
         ocean.record_frame(&mut encoder, SIZE, 3);

@@ -6,10 +6,11 @@
 @group(0) @binding(3) var sky_view_map: texture_2d<f32>;
 @group(0) @binding(4) var environment_map: texture_2d<f32>;
 @group(0) @binding(5) var sky_sampler: sampler;
-@group(0) @binding(6) var noise_map: texture_2d<f32>;
+@group(0) @binding(6) var noise_map: texture_2d_array<f32>;
 @group(0) @binding(7) var noise_sampler: sampler;
 @group(0) @binding(8) var transmittance_map: texture_2d<f32>;
 @group(0) @binding(10) var mirrored_sky_map: texture_3d<f32>;
 @group(0) @binding(11) var<uniform> clouds: Clouds;
 @group(0) @binding(12) var cloud_shadow_map: texture_2d<f32>;
-@group(0) @binding(13) var bed_map: texture_2d<f32>;
+@group(0) @binding(13) var land_map: texture_2d<f32>;
+@group(0) @binding(15) var<uniform> land: Land;

@@ -169,8 +169,8 @@ fn fragment(in: SprayFragment) -> @location(0) vec4f {
   let inside = saturate(1.0 - dot(in.at, in.at));
   // The product of two independent noises has the mean of both, at every mip level.
   let wide_at = in.noise.xy + in.at * in.noise.zw;
-  let wide = textureSampleLevel(noise_map, noise_sampler, wide_at, in.noise_lod).b;
-  let fine = textureSampleLevel(noise_map, noise_sampler, wide_at.yx * 2.7, in.noise_lod + 1.4).g;
+  let wide = textureSampleLevel(noise_map, noise_sampler, wide_at, 0, in.noise_lod).b;
+  let fine = textureSampleLevel(noise_map, noise_sampler, wide_at.yx * 2.7, 0, in.noise_lod + 1.4).g;
   let scene_m = frame.clip_from_relative[3].z / max(textureLoad(depth_map, vec2i(in.clip.xy), 0), 1e-9);
   let free = saturate((scene_m - in.depth.x) / in.depth.y);
   // The square of the noise has more contrast than the noise. It is divided by its mean, which falls to 1 as pixels grow

@@ -36,10 +36,10 @@ fn sky_cloud_dome(dir: vec3f, above: f32) -> vec4f {
 // Fractal noise of the clouds, 0 to 1, at the point p of the cloud base, km. `lod` is the mip level of the noise map.
 fn sky_cloud_noise(p: vec2f, lod: f32) -> f32 {
   let turned = vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y);
-  let a = textureSampleLevel(noise_map, noise_sampler, p / SKY_CLOUD_TILE_KM, lod).b;
+  let a = textureSampleLevel(noise_map, noise_sampler, p / SKY_CLOUD_TILE_KM, 0, lod).b;
   let uv_b = turned / (0.27 * SKY_CLOUD_TILE_KM) + vec2f(0.37, 0.11);
-  let b = textureSampleLevel(noise_map, noise_sampler, uv_b, lod + 1.89).b;
-  let c = textureSampleLevel(noise_map, noise_sampler, p.yx / (0.083 * SKY_CLOUD_TILE_KM), lod + 3.6).b;
+  let b = textureSampleLevel(noise_map, noise_sampler, uv_b, 0, lod + 1.89).b;
+  let c = textureSampleLevel(noise_map, noise_sampler, p.yx / (0.083 * SKY_CLOUD_TILE_KM), 0, lod + 3.6).b;
   return a * 0.54 + b * 0.29 + c * 0.17;
 }
 

@@ -5,7 +5,7 @@
 @group(0) @binding(1) var<storage, read> light: Light;
 @group(0) @binding(2) var sky_view_map: texture_2d<f32>;
 @group(0) @binding(3) var sky_sampler: sampler;
-@group(0) @binding(4) var noise_map: texture_2d<f32>;
+@group(0) @binding(4) var noise_map: texture_2d_array<f32>;
 @group(0) @binding(5) var noise_sampler: sampler;
 // The sky from a file without its sun.
 @group(0) @binding(6) var image_map: texture_2d<f32>;

@@ -27,13 +27,15 @@ const BED_REEF_WEIGHTS = vec3f(0.35, 0.65, 0.6745);
 // Albedos of seagrass and of a reef (Hochberg and Atkinson 2003: 3 to 10 %, and brown).
 const BED_SEAGRASS_ALBEDO = vec3f(0.056, 0.080, 0.034);
 const BED_REEF_ALBEDO = vec3f(0.135, 0.105, 0.062);
+// Optical depth of the way to the bed and back from which the bed is not seen.
+const BED_HIDDEN = 7.0;
 // Limits the brightness of a caustic, which the sun's disc and scattering in the water blur.
 const BED_CAUSTIC_BLUR = 0.08;
 
 // Slope and height of ripples (xy) and noises (zw) of a layer at a position relative to the point below the eye, m, at
 // a mip level.
 fn bed_noise(layer: u32, at: vec2f, lod: f32) -> vec4f {
-  let texel = textureSampleLevel(bed_map, noise_sampler, material_uv(layer, at), max(lod, 0.0));
+  let texel = textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at), 1, max(lod, 0.0));
   return (texel - 0.5) * BED_RANGE;
 }
 
@@ -155,6 +157,24 @@ fn bed_caustic_gain(entry: vec2f, depth_m: f32, filter_m: f32) -> f32 {
   return sqrt((1.0 + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR) / (det * det + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR));
 }
 
+// The albedo of the ground near the shore goes over into that of the land, which has neither seagrass nor reefs, where
+// the water is this deep, m: all land (x), and all bed (y).
+const BED_SHORE_M = vec2f(0.8, 3.5);
+
+// Share of the land's look in the bed under a column of water.
+fn bed_shore_share(column: f32) -> f32 {
+  return 1.0 - maths_smooth((column - BED_SHORE_M.x) / (BED_SHORE_M.y - BED_SHORE_M.x));
+}
+
+// The ground of the bed near the shore, at `at` relative to the point below the eye: sand as on the beach.
+fn bed_shore_ground(ground: BedGround, at: vec2f, column: f32, size: f32) -> BedGround {
+  let share = bed_shore_share(column);
+  let place = land_place(at);
+  let tone = land_sand_tone(land_noise(place.yx, 53.0, size), land_noise(place, 7.9, size));
+  return BedGround(
+    mix(ground.albedo, material.bed_colour * tone, share), ground.slope * (1.0 - share * share));
+}
+
 // Radiance inside the water towards the surface where the bed is visible. `deep`: radiance of bottomless water;
 // `place`: surface point (x, z) relative to the eye, m; `ray`: direction down into the water; `size`: length along the
 // ray and width of the texels that are averaged over the pixel, m; `variance`: covariance (xx, zz, xz) of the slopes
@@ -162,9 +182,20 @@ fn bed_caustic_gain(entry: vec2f, depth_m: f32, filter_m: f32) -> f32 {
 fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: vec2f, variance: vec3f) -> vec3f {
   let down = max(-ray.y, 0.12);
   let run = ray.xz / down;
-  // Water over a bank or in a channel; the ray meets it near where it would meet an even bed.
-  let banks = bed_banks(place + run * frame.depth_m, size.x);
-  let column = max(frame.depth_m * max(1.0 + dot(BED_BANKS, banks), 0.4) + height, 0.05);
+  let k = material.absorption + material.backscatter;
+  var banks: vec2f;
+  var column: f32;
+  if WATER_LAND {
+    column = land_column_m(place, run, height, size.x);
+    if 2.0 * column * min(k.r, min(k.g, k.b)) > BED_HIDDEN {
+      return deep;
+    }
+    banks = bed_banks(place + run * column, size.x);
+  } else {
+    // Water over a bank or in a channel; the ray meets it near where it would meet an even bed.
+    banks = bed_banks(place + run * frame.depth_m, size.x);
+    column = max(frame.depth_m * max(1.0 + dot(BED_BANKS, banks), 0.4) + height, 0.05);
+  }
   let length_m = column / down;
   let hit = place + run * column;
   // Unresolved slopes turn the ray by `bend` times their angle, which spreads it over the bed, most of all along it.
@@ -184,8 +215,10 @@ fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: 
   let part = 0.71 * filtered.x;
   let texel = sqrt(part * max(part, filtered.y));
   // Before the caustics, which need most registers.
-  let ground = bed_ground(hit, along * (0.354 * filtered.x), texel, banks);
-  let k = material.absorption + material.backscatter;
+  var ground = bed_ground(hit, along * (0.354 * filtered.x), texel, banks);
+  if WATER_LAND && column < BED_SHORE_M.y {
+    ground = bed_shore_ground(ground, hit, column, texel);
+  }
   let beam = water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0));
   let sun_height = max(frame.sun_direction.y, 0.0);
   let beam_down = max(-beam.y, 0.3);

@@ -9,10 +9,25 @@ struct FloorHit {
   banks: vec2f,
 }
 
+// As floor_hit, over the bed of a coast. `run`: how far the ray goes for each metre down.
+fn floor_hit_land(run: vec2f, down: f32, depth_m: f32) -> FloorHit {
+  // Each step goes as far as the bed found before is below the eye, so that a bed that rises is not missed by much.
+  var way_m = 0.0;
+  for (var i = 0; i < 5; i++) {
+    let clear_m = max(land_depth_m(run * way_m, 0.02 * way_m / down) - depth_m, 0.1);
+    way_m = select(0.5 * (way_m + clear_m), clear_m, i == 0);
+  }
+  let at = run * way_m;
+  return FloorHit(way_m / down, at, way_m + depth_m, bed_banks(at, frame.pixel_angle * way_m / (down * down)));
+}
+
 // Where a ray from an eye at the depth `depth_m` that goes down meets the bed.
 fn floor_hit(dir: vec3f, depth_m: f32) -> FloorHit {
   let down = max(-dir.y, 0.02);
   let run = dir.xz / down;
+  if WATER_LAND {
+    return floor_hit_land(run, down, depth_m);
+  }
   let clear_m = max(frame.depth_m - depth_m, 0.2);
   let size = frame.pixel_angle * clear_m / (down * down);
   // Banks and channels, where the ray would meet an even bed.
@@ -29,7 +44,10 @@ fn floor_radiance(hit: FloorHit, dir: vec3f) -> vec3f {
   let ahead = dir.xz * inverseSqrt(max(dot(dir.xz, dir.xz), 1e-6));
   let part = 0.71 * along;
   let texel = sqrt(part * max(part, across));
-  let ground = bed_ground(hit.place, ahead * (0.354 * along), texel, hit.banks);
+  var ground = bed_ground(hit.place, ahead * (0.354 * along), texel, hit.banks);
+  if WATER_LAND && hit.column_m < BED_SHORE_M.y {
+    ground = bed_shore_ground(ground, hit.place, hit.column_m, texel);
+  }
   let beam = medium_beam();
   let beam_down = -beam.y;
   var sun = medium_sun_irradiance();

@@ -92,6 +92,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
   let place = water_position(in.ray, pixel);
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
+  if WATER_LAND && at.x > LAND_NO_WATER_M {
+    discard;
+  }
   let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
   let side_m = abs(shear_and_side.y);
   // Fine derivatives, because coarse ones may come from the other row of a quad of pixels, which may show the sky.
@@ -129,6 +132,9 @@ fn lean_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
   let place = water_position(in.ray, pixel);
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
+  if WATER_LAND && at.x > LAND_NO_WATER_M {
+    discard;
+  }
   let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
   let mesh = textureLoad(slope_and_stretch_map, pixel, 0);
   let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);

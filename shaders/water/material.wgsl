@@ -18,7 +18,7 @@ fn material_lod(layer: u32, size: f32) -> f32 {
 
 // Noise of a layer at a position relative to the point below the eye, m, at a mip level.
 fn material_noise(layer: u32, at: vec2f, lod: f32) -> vec4f {
-  return textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at), max(lod, 0.0));
+  return textureSampleLevel(noise_map, noise_sampler, material_uv(layer, at), 0, max(lod, 0.0));
 }
 
 // Fractions of the variance of the four layers of foam that are left at their mip levels, 0 to 1.

@@ -115,7 +115,9 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   if UNDER_SEES_AIR {
     begins = under_begins(pixel, in.ray);
   }
-  let shows_ceiling = begins && is_water;
+  // Land near the surface was drawn as such; the bed is found below.
+  let is_land = WATER_LAND && is_water && at.x > LAND_NO_WATER_M;
+  let shows_ceiling = begins && is_water && !is_land;
   let foot = water_footprint(dx, dy);
   var place = vec3f(0.0);
   var slope: WaterSlope;
@@ -139,6 +141,11 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
     let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
     length_m = length(place);
     radiance = under_surface(dir, place, at, foot, bent);
+  } else if is_land {
+    let spot = water_position(in.ray, pixel);
+    length_m = length(spot);
+    let column_m = max(depth_m - spot.y, 0.0);
+    radiance = floor_radiance(FloorHit(length_m, spot.xz, column_m, vec2f(0.0)), dir);
   } else if dir.y > 1e-3 {
     length_m = depth_m / dir.y;
   } else if WATER_BED {

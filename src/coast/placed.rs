@@ -39,6 +39,8 @@ pub struct PlacingOptions {
 pub struct PlacedCoast {
     /// Title of a built-in coast, or name of a file.
     pub title: String,
+    /// Name of a built-in coast, whose depths are known between the points of the grid, too; None for a file.
+    pub built_in: Option<&'static str>,
     /// What a built-in coast shows, or where a file lies.
     pub about: String,
     /// The depths.
@@ -66,6 +68,7 @@ impl PlacedCoast {
         let cell_m = checked_cell_m(options.cell_m, wide.max(long))?;
         Ok(Self {
             title: coast.title.into(),
+            built_in: Some(coast.name),
             about: coast.about.into(),
             bathymetry: coast.bathymetry(cell_m),
             structures: (coast.structures)(),
@@ -154,6 +157,7 @@ impl PlacedCoast {
         });
         Ok(Self {
             title: file.name.clone(),
+            built_in: None,
             about: format!("{side_m:.0} m of the file{place}."),
             bathymetry,
             structures: Vec::new(),
@@ -175,6 +179,23 @@ impl PlacedCoast {
         let [x, y] = self.side_m().map(|side_m| 0.5 * side_m);
         let [east, south] = self.middle_m;
         Placement { origin_m: [east - (x * cos - y * sin), south - (x * sin + y * cos)], turn_rad }
+    }
+
+    /// Depth (m, negative on land) at a world position (x, z), m, between the points of the grid. Beyond the grid that of
+    /// its nearest point holds.
+    pub fn depth_at_m(&self, world_m: [f64; 2]) -> f64 {
+        let Placement { origin_m, turn_rad } = self.placement();
+        let (sin, cos) = turn_rad.sin_cos();
+        let [x, z] = [world_m[0] - origin_m[0], world_m[1] - origin_m[1]];
+        let grid = &self.bathymetry;
+        let place = |at_m: f64, count: usize| {
+            let at = (at_m / grid.cell_m).clamp(0.0, (count - 1) as f64);
+            let whole = at.floor().min((count - 2) as f64);
+            (whole as usize, at - whole)
+        };
+        let ((i, u), (j, v)) = (place(x * cos + z * sin, grid.columns), place(z * cos - x * sin, grid.rows));
+        let row = |j: usize| (1.0 - u) * grid.at(i, j) + u * grid.at(i + 1, j);
+        (1.0 - v) * row(j) + v * row(j + 1)
     }
 
     /// Mean depth of the water at the edge that faces the open sea, m: the waves there are those of a sea of this depth.
@@ -311,6 +332,12 @@ mod tests {
         let [x, z] = south.placement().origin_m;
         assert!((x - 750.0).abs() < 1e-9 && (z + 750.0).abs() < 1e-9, "{x} {z}");
         assert_eq!(east.bathymetry, south.bathymetry);
+        // The waterline lies 580 m ahead of the middle, and the bed goes on beyond the grid as at its edge.
+        for (coast, ahead) in [(&east, [1.0, 0.0]), (&south, [0.0, 1.0])] {
+            let at = |m: f64| coast.depth_at_m([m * ahead[0], m * ahead[1]]);
+            assert!(at(560.0) > 0.5 && at(600.0) < -0.5 && at(-900.0) == at(-750.0), "{} {}", at(560.0), at(600.0));
+            assert!((at(-300.0) - (beach.depth_m)(450.0, 750.0)).abs() < 0.02);
+        }
         assert_eq!((east.bathymetry.columns, east.bathymetry.cell_m), (201, 7.5));
     }
 

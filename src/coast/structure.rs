@@ -36,7 +36,7 @@ impl Structure {
 
     /// Height (m above the still water, negative below) of the structure at a distance (m) from its middle line; `None`
     /// beyond a vertical side. `least_width_m` widens a structure that is narrower than the cells of a grid.
-    fn height_m(&self, distance_m: f64, least_width_m: f64) -> Option<f64> {
+    pub fn height_m(&self, distance_m: f64, least_width_m: f64) -> Option<f64> {
         let beyond_m = distance_m - 0.5 * self.top_width_m.max(least_width_m);
         if beyond_m <= 0.0 {
             return Some(self.top_height_m);

@@ -169,10 +169,19 @@ impl Gpu {
 
     /// Queues a write of one mip level of a texture's first layer. `bytes` holds its rows without padding between them.
     pub fn write_texture(&self, texture: &wgpu::Texture, mip_level: u32, bytes: &[u8]) {
+        self.write_texture_layer(texture, 0, mip_level, bytes);
+    }
+
+    /// Queues a write of one mip level of a layer of a texture. `bytes` holds its rows without padding between them.
+    pub fn write_texture_layer(&self, texture: &wgpu::Texture, layer: u32, mip_level: u32, bytes: &[u8]) {
         let [width, height] = [texture.width(), texture.height()].map(|side| (side >> mip_level).max(1));
         let row = bytes.len() as u32 / height;
         self.queue.write_texture(
-            wgpu::TexelCopyTextureInfo { mip_level, ..texture.as_image_copy() },
+            wgpu::TexelCopyTextureInfo {
+                mip_level,
+                origin: wgpu::Origin3d { z: layer, ..wgpu::Origin3d::ZERO },
+                ..texture.as_image_copy()
+            },
             bytes,
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: Some(height) },
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },

@@ -22,6 +22,7 @@ impl Interpolate for SeaAppearance {
         Self {
             choppiness: interpolate_pair(self.choppiness, to.choppiness, fraction),
             hs_m: interpolate(self.hs_m, to.hs_m, fraction),
+            peak_wavelength_m: interpolate(self.peak_wavelength_m, to.peak_wavelength_m, fraction),
             // Geometric, because a bed that rises from the deep sea would otherwise appear only at the very end.
             depth_m: self.depth_m * (to.depth_m / self.depth_m).powf(fraction),
             still_water_level_m: interpolate(self.still_water_level_m, to.still_water_level_m, fraction),

@@ -5,6 +5,7 @@ pub mod coast_task;
 pub mod device_info;
 mod hulls;
 mod interpolated;
+mod land;
 pub mod maps;
 #[cfg(feature = "files")]
 pub mod maps_file;
@@ -13,6 +14,7 @@ mod reference_samples;
 mod shown_coast;
 pub mod still;
 
+use crate::coast::PlacedCoast;
 use crate::gpu::Gpu;
 use crate::gpu::timer::Timer;
 use crate::render::{FadingSea, ReferenceRenderer, Renderer, Scene, SeaAppearance};
@@ -20,13 +22,15 @@ use crate::shaders::Shaders;
 use crate::sim::transition::{Interpolated, TransitionFrameProgress, TransitionKind};
 use crate::sim::{MAX_FOAM_STEPS, MapCascade, Simulation};
 use crate::state::Params;
-use crate::state::camera::{View, deepest_dive_m};
-use crate::state::params::{Camera, CameraMode};
+use crate::state::camera::View;
+use crate::state::params::CameraMode;
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::{Plan, SeaChange};
 use coast_task::{CoastKey, ShownCoast};
 use hulls::DrawnHullWaves;
 use interpolated::WeightedPlans;
+use land::{built_in_land, relative_to_still_water};
+use std::sync::Arc;
 
 pub use crate::render::{OutputKind, SampleGrid, TimedPart};
 pub use crate::sim::map_statistics::{MapStatistics, PendingMapRead};
@@ -77,6 +81,7 @@ pub struct Ocean {
     coast_solved: Option<(CoastKey, ShownCoast)>,
     /// For each plan whose waves are drawn, those of its waves that move the floating objects.
     hull_waves: Vec<DrawnHullWaves>,
+    land: Option<Arc<PlacedCoast>>,
     timer: Timer,
 }
 
@@ -124,6 +129,7 @@ impl Ocean {
             plans,
             coast_solved: None,
             hull_waves: Vec::new(),
+            land: built_in_land(params),
             timer,
         }
     }
@@ -197,6 +203,7 @@ impl Ocean {
             let caustic_filter_m = SeaAppearance::caustic_filter_m(self.sim.plan(), &params.look);
             self.appearance.change_all(|sea| sea.caustic_filter_m = caustic_filter_m);
         }
+        self.place_land(params);
         self.params = params.clone();
     }
 
@@ -320,12 +327,13 @@ impl Ocean {
             ..self.appearance.cross_faded_value(share)
         };
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
-        let camera = relative_to_still_water(&self.params.camera, &sea);
+        let camera = relative_to_still_water(&self.params.camera, &sea, self.land.as_deref());
         Scene {
             view: View::new(&camera, aspect, MIN_EYE_HEIGHT_M),
             look: self.params.look.at_time(self.params.clock.t_s),
             height_from_waves: self.params.camera.mode == CameraMode::Buoy,
             hulls: self.hull_poses(),
+            land: self.land.clone(),
             colour_scales: std::array::from_fn(|layer| ColourScale::new(self.params.look.view.displayed, plan, layer)),
             fading_sea: old.map(|old| FadingSea {
                 finest_cascade_slope_variance: old.finest_cascade_slope_variance,
@@ -340,11 +348,4 @@ impl Ocean {
             sea,
         }
     }
-}
-
-/// A copy of the camera whose height counts from the still water of `sea`, because the renderer draws still water at
-/// height 0. A diving camera stays above the bed.
-fn relative_to_still_water(camera: &Camera, sea: &SeaAppearance) -> Camera {
-    let dive_m = camera.dive_m.min(deepest_dive_m(sea.depth_m));
-    Camera { y_m: camera.y_m - sea.still_water_level_m, dive_m, ..camera.clone() }
 }

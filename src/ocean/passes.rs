@@ -1,6 +1,7 @@
 //! Single GPU passes of the simulation, recorded alone so that they can be timed.
 
-use super::{MIN_EYE_HEIGHT_M, Ocean, TimedPart, relative_to_still_water};
+use super::land::{built_in_land, relative_to_still_water};
+use super::{MIN_EYE_HEIGHT_M, Ocean, TimedPart};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::timer::Timer;
 use crate::render::{Renderer, SeaAppearance, planned_mesh_vertices};
@@ -80,7 +81,7 @@ impl MapSizes {
 pub fn planned_vertex_count(params: &Params, plan: &Plan, size: [u32; 2]) -> u32 {
     let sea = SeaAppearance::new(plan, &params.look);
     let [width, height] = size.map(f64::from);
-    let camera = relative_to_still_water(&params.camera, &sea);
+    let camera = relative_to_still_water(&params.camera, &sea, built_in_land(params).as_deref());
     planned_mesh_vertices(&View::new(&camera, width / height, MIN_EYE_HEIGHT_M), &sea, &params.look, size)
 }
 

@@ -4,12 +4,17 @@ use super::Ocean;
 use super::coast_task::{CoastKey, ShownCoast, solve_at_once};
 use crate::coast::PlacedCoast;
 use crate::coast::transfer::TransferSolver;
+use crate::state::coast::CoastName;
 use std::sync::Arc;
 
 impl Ocean {
     /// Shows the waves of a coast in the frames from now on; without them the open sea. Waves that do not belong to the
-    /// present sea wait until a running transition has led to theirs.
-    pub fn show_coast(&mut self, (_, waves): ShownCoast) {
+    /// present sea wait until a running transition has led to theirs. The land of a file is shown, too; that of a built-in
+    /// coast is shown already.
+    pub fn show_coast(&mut self, (land, waves): ShownCoast) {
+        if self.params.coast.name == CoastName::File {
+            self.set_land(land);
+        }
         let address = |waves: Option<&Arc<_>>| waves.map(Arc::as_ptr);
         if address(self.transfer()) != address(waves.as_ref()) && !self.in_transition() {
             self.set_coast(waves);

@@ -7,6 +7,7 @@ mod drops;
 mod film;
 mod frame;
 mod frame_maps;
+mod land;
 mod reference;
 mod scene;
 mod scene_group;
@@ -20,9 +21,9 @@ pub use frame::FrameUniform;
 pub use reference::{ReferenceRenderer, SampleGrid};
 pub use scene::{FadingSea, Scene, SeaAppearance};
 pub use targets::OutputKind;
-pub use water::bed::BedTexture;
 pub use water::hull_images::HullImages;
 pub use water::material::MaterialUniform;
+pub use water::noise::NoiseTexture;
 
 use crate::gpu::Gpu;
 use crate::gpu::layout::StructDeclaration;
@@ -40,7 +41,9 @@ use drops::spray::{SprayLevel, SprayUniform};
 use film::present::PresentPass;
 use film::tone::{TonePass, ToneUniform};
 use frame_maps::{FrameCascade, FrameFoamGrid};
-use scene_group::SceneGroup;
+use land::map::LandUniform;
+use land::{LandPass, LandVertex};
+use scene_group::{SceneGroup, SceneResources};
 use sky::background::BackgroundPass;
 use sky::clouds::{CloudField, CloudView};
 use sky::tables::SkyTables;
@@ -53,8 +56,7 @@ use water::hull_images::{HullImage, HullSection};
 use water::hulls::{HullPass, HullVertex};
 use water::light::WaterPass;
 use water::material::NoiseLayer;
-use water::mesh::{Mesh, MeshLattice};
-use water::noise::NoiseTexture;
+use water::mesh::{self, Mesh, MeshLattice};
 use water::under::UnderPass;
 
 /// Structs that Rust and the renderer's shaders share; their WGSL declarations are made from these.
@@ -79,13 +81,12 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     SprayLevel::DECLARATION,
     SprayUniform::DECLARATION,
     RainUniform::DECLARATION,
+    LandVertex::DECLARATION,
+    LandUniform::DECLARATION,
     ToneUniform::DECLARATION,
     ViewTile::DECLARATION,
     ViewUniform::DECLARATION,
 ];
-
-/// Number of pixels of a picture whose water mesh has the default number of vertices.
-const DEFAULT_MESH_PIXELS: f64 = 1280.0 * 720.0;
 
 /// A part of a frame that can be recorded alone, so that its GPU time can be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,12 +108,12 @@ pub struct Renderer {
     frame: Uniform<FrameUniform>,
     material: Uniform<MaterialUniform>,
     hull_images: Uniform<HullImages>,
-    bed: BedTexture,
     sky: SkyTables,
     noise: NoiseTexture,
     eye: EyePass,
     water: WaterPass,
     under: UnderPass,
+    land: LandPass,
     background: BackgroundPass,
     hulls: HullPass,
     drops: DropPasses,
@@ -134,8 +135,16 @@ impl Renderer {
         let hull_images = Uniform::new(gpu, "hull images");
         let noise = NoiseTexture::new(gpu);
         let sky = SkyTables::new(gpu, &shaders, &noise);
-        let bed = BedTexture::new(gpu);
-        let scene = SceneGroup::new(gpu, &frame, (&material, &hull_images), &sky, (&noise, &bed), output);
+        let land = LandPass::new(gpu, shaders.clone());
+        let resources = SceneResources {
+            frame: &frame,
+            material: &material,
+            hull_images: &hull_images,
+            sky: &sky,
+            noise: &noise,
+            land: land.resources(),
+        };
+        let scene = SceneGroup::new(gpu, &resources, output);
         let background = BackgroundPass::new(gpu, &shaders);
         let water = WaterPass::new(gpu, &shaders, scene, &frame);
         let eye = EyePass::new(gpu, &shaders, &frame, &water);
@@ -150,12 +159,12 @@ impl Renderer {
             frame,
             material,
             hull_images,
-            bed,
             sky,
             noise,
             eye,
             water,
             under: UnderPass::new(shaders),
+            land,
             background,
             hulls,
             drops,
@@ -218,8 +227,9 @@ impl Renderer {
             self.sky.prepare_clouds(gpu, scene, targets.size[0], &self.noise);
         }
         if water::material::is_bed_visible(scene) {
-            self.bed.fill_once(gpu);
+            self.noise.fill_bed_once(gpu);
         }
+        self.prepare_land(gpu, scene);
         self.water.select_pipeline(gpu, scene);
         self.eye.select_pipeline(gpu, scene);
         self.under.prepare(gpu, scene, &self.water);
@@ -232,6 +242,22 @@ impl Renderer {
         }
         self.water.mesh.set_mesh(gpu, mesh);
         self.hulls.upload_hulls(gpu, &self.water.scene, scene);
+    }
+
+    /// Uploads the land of a scene, if it has another one than the last, and selects its pipelines.
+    fn prepare_land(&mut self, gpu: &Gpu, scene: &Scene) {
+        if self.land.upload(gpu, scene) {
+            let resources = SceneResources {
+                frame: &self.frame,
+                material: &self.material,
+                hull_images: &self.hull_images,
+                sky: &self.sky,
+                noise: &self.noise,
+                land: self.land.resources(),
+            };
+            self.water.scene.bind(gpu, &resources);
+        }
+        self.land.select_pipelines(gpu, scene, &self.water);
     }
 
     /// Records the passes that draw the false-colour view selected in `scene.look`, in place of the picture.
@@ -261,6 +287,7 @@ impl Renderer {
         if !scene.is_submerged() {
             self.background.draw(&mut pass, &self.water.scene, &self.sky);
             self.water.draw_light(&mut pass);
+            self.land.draw_light(&mut pass, &self.water);
         }
         self.under.draw_light(&mut pass, &self.water);
         if !self.hulls.is_needed() {
@@ -278,7 +305,7 @@ impl Renderer {
     /// Records the drawing of the water mesh into the G-buffer and, if the eye dives, of the map of light shafts.
     fn record_water_mesh(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer, targets: &Targets) {
         self.under.record_shafts(encoder, timer, &self.water);
-        self.water.record_g_buffer(encoder, timer, targets, self.under.g_buffer_pipeline());
+        self.water.record_g_buffer(encoder, timer, targets, (&self.land, self.under.g_buffer_pipeline()));
     }
 
     /// Records one part of the last picture again, alone, even if its results are up to date, to measure its GPU time.
@@ -328,7 +355,7 @@ impl Renderer {
 /// The water mesh for a picture of `size` (width, height) pixels. Its density depends on the size only in steps, so
 /// that a picture whose size changes a little, as the adaptive resolution does, keeps its lattice and index buffer.
 fn mesh_for_picture(view: &View, sea: &SeaAppearance, look: &Look, size: [u32; 2]) -> Mesh {
-    let density = look.mesh_detail * mesh_density(f64::from(size[0]) * f64::from(size[1]));
+    let density = look.mesh_detail * mesh::mesh_density(f64::from(size[0]) * f64::from(size[1]));
     Mesh::new(view, sea, density, look.extent_km)
 }
 
@@ -338,36 +365,7 @@ pub fn planned_mesh_vertices(view: &View, sea: &SeaAppearance, look: &Look, size
     (mesh.drawn_columns + 1) * mesh.lattice.rows
 }
 
-/// Number of vertices of the mesh for a picture of `pixels` pixels, divided by the default: powers of the square root
-/// of two. Up to [`DEFAULT_MESH_PIXELS`] it is in proportion to the pixels, because triangles much smaller than a pixel
-/// show nothing more. Above, it grows with the square root of their number, because waves are smooth. At an eighth of
-/// the default a mesh costs little, and a coarser one would lose waves that a small picture still shows.
-fn mesh_density(pixels: f64) -> f64 {
-    let relative = pixels / DEFAULT_MESH_PIXELS;
-    let density = relative.min(relative.sqrt()).clamp(0.125, 2.0);
-    2f64.powf(0.5 * (2.0 * density.log2()).round())
-}
-
 /// The frame uniform of a picture of `size` (width, height) pixels, for tests that call WGSL functions of the renderer.
 pub fn frame_uniform(scene: &Scene, maps: &Maps, size: [u32; 2]) -> FrameUniform {
     FrameUniform::new(scene, maps, &mesh_for_picture(&scene.view, &scene.sea, &scene.look, size), size)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn mesh_density_follows_the_pixels_in_steps() {
-        let density = |width: u32| mesh_density(f64::from(width * width) * 9.0 / 16.0);
-        assert!((density(1280) - 1.0).abs() < 1e-12);
-        assert!((density(640) - 0.25).abs() < 1e-12, "a quarter of the pixels has a quarter of the vertices");
-        assert!((density(5120) - 2.0).abs() < 1e-12);
-        assert!((density(160) - 0.125).abs() < 1e-12);
-        // From 320 to 1280 pixels of width the density grows eight times, in steps of the root of two.
-        let mut seen: Vec<f64> = (20..=80).map(|i| density(16 * i)).collect();
-        assert!(seen.is_sorted());
-        seen.dedup();
-        assert_eq!(seen.len(), 7, "{seen:?}");
-    }
 }

@@ -1,5 +1,6 @@
 //! The scene: camera, look settings, sea state and floating objects of a picture.
 
+use crate::coast::PlacedCoast;
 use crate::point::floating::HullPose;
 use crate::sim::maps::MAX_CASCADES;
 use crate::state::camera::View;
@@ -7,6 +8,8 @@ use crate::state::look::Look;
 use crate::waves::Plan;
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::slopes::{self, SlopeVariance};
+use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Speed of low clouds divided by wind speed at 10 m, from a logarithmic wind profile up to the boundary layer's top.
 const CLOUD_SPEED_PER_WIND_SPEED: f64 = 1.4;
@@ -39,6 +42,8 @@ pub struct Scene {
     pub colour_scales: [ColourScale; MAX_CASCADES],
     /// Positions and orientations of the floating objects in world coordinates.
     pub hulls: Vec<HullPose>,
+    /// The land that the sea runs up to; None in the open sea.
+    pub land: Option<Arc<PlacedCoast>>,
     /// Whether the sea runs up to a coast, of which the maps tell.
     pub has_coast: bool,
     /// Whether the picture may be drawn with the pipelines of the picture before while others are being compiled. A
@@ -75,6 +80,8 @@ pub struct SeaAppearance {
     pub choppiness: [f64; 2],
     /// Significant wave height, m.
     pub hs_m: f64,
+    /// Length in deep water of the waves at the peak of the spectrum, m.
+    pub peak_wavelength_m: f64,
     /// Water depth, m.
     pub depth_m: f64,
     /// Height of the still water in world coordinates, m.
@@ -108,6 +115,7 @@ impl SeaAppearance {
         Self {
             choppiness: plan.sea.choppiness_xz(),
             hs_m: plan.hs_m(),
+            peak_wavelength_m: TAU * plan.sea.gravity_m_s2 / (plan.omega_p * plan.omega_p).max(1e-6),
             depth_m: plan.sea.depth_m,
             still_water_level_m: plan.sea.still_water_level_m,
             wind_m_s,
@@ -130,6 +138,7 @@ impl SeaAppearance {
         Self {
             choppiness: [1.0; 2],
             hs_m,
+            peak_wavelength_m: 60.0,
             depth_m: 4000.0,
             wind_m_s: 10.0,
             downwind: [1.0, 0.0],

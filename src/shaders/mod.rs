@@ -51,6 +51,8 @@ const VIEWS: SourcePart = part!("views/common.wgsl");
 const AIR_TABLES: SourcePart = SourcePart::Group(&[ATMOSPHERE, SKY_COMMON]);
 /// WGSL functions for the radiance of the sky without clouds in a given direction, and for fog.
 const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
+/// WGSL functions that read the map of the land.
+const LAND: SourcePart = part!("land/map.wgsl");
 /// WGSL for every pass that draws on the HDR picture: uniforms and textures of the scene, radiance of the sky, and the
 /// effect of the air between eye and sea on light.
 const PICTURE: SourcePart = SourcePart::Group(&[
@@ -85,6 +87,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     PICTURE,
     SURFACE,
     part!("water/footprint.wgsl"),
+    part!("water/gusts.wgsl"),
     part!("water/slope.wgsl"),
     part!("water/shadow_sun.wgsl"),
     part!("water/shadow.wgsl"),
@@ -97,6 +100,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/hull_image.wgsl"),
     part!("water/body.wgsl"),
     part!("water/crest.wgsl"),
+    LAND,
     part!("water/bed.wgsl"),
     part!("water/foam.wgsl"),
     part!("water/foam_look.wgsl"),
@@ -164,6 +168,18 @@ const MODULES: &[(&str, &[SourcePart])] = &[
             part!("water/body.wgsl"),
             part!("water/medium.wgsl"),
             part!("water/hulls.wgsl"),
+        ],
+    ),
+    (
+        "land/light",
+        &[
+            MATHS,
+            PICTURE,
+            part!("water/fresnel.wgsl"),
+            MIRRORED_MAP,
+            LAND,
+            part!("land/ground.wgsl"),
+            part!("land/light.wgsl"),
         ],
     ),
     ("drops/spray", &[PICTURE, SURFACE, part!("drops/drop.wgsl"), part!("drops/spray.wgsl")]),

@@ -17,6 +17,7 @@ fn plan(state: &str) -> Plan {
 fn flat(depth_m: f64, toward_deg: f64, columns: usize, cell_m: f64) -> PlacedCoast {
     PlacedCoast {
         title: "flat".into(),
+        built_in: None,
         about: "A flat bed.".into(),
         bathymetry: Bathymetry::from_fn(columns, columns, cell_m, |_, _| depth_m),
         structures: Vec::new(),

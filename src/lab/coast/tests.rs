@@ -14,6 +14,7 @@ fn over(name: &str, state: &str, settings: &CoastSettings) -> CoastSea {
 fn over_a_flat_bed_the_sea_stays_what_it_is() {
     let coast = PlacedCoast {
         title: "flat".into(),
+        built_in: None,
         about: "A flat bed.".into(),
         bathymetry: Bathymetry::from_fn(41, 41, 20.0, |_, _| 60.0),
         structures: Vec::new(),
@@ -123,6 +124,7 @@ fn structures_reflect() {
         let (title, about) = ("wall".to_owned(), "A wall.".to_owned());
         let coast = PlacedCoast {
             title,
+            built_in: None,
             about,
             bathymetry,
             structures: vec![wall],

@@ -224,7 +224,7 @@ impl SkyTables {
             (BindingType::StorageRead(size_of::<LightBuffer>()), self.light_buffer.as_entire_binding()),
             (BindingType::Texture, TextureView(&self.sky_view)),
             (BindingType::Sampler, Sampler(&self.sampler)),
-            (BindingType::Texture, TextureView(&noise.view)),
+            (BindingType::TextureArray, TextureView(&noise.view)),
             (BindingType::Sampler, Sampler(&noise.sampler)),
             (BindingType::Texture, TextureView(&self.panorama.without_sun_view)),
             (BindingType::Uniform(size_of::<CloudView>()), self.clouds.view.buffer.as_entire_binding()),

@@ -1,8 +1,7 @@
-//! The periodic texture of the sea bed with its mip levels: slope of sand ripples along the first side of the tile
+//! The periodic noise of the sea bed with its mip levels: slope of sand ripples along the first side of the tile
 //! (red), their height (green), and two noises of normal distribution, fractal (blue) and of heads of coral (alpha).
 
 use super::noise::{NOISE_SIDE, NoiseLattice, half_size_level, ranks_of_values};
-use crate::gpu::Gpu;
 use crate::waves::noise::pcg4d;
 use glam::DVec2;
 use std::f64::consts::TAU;
@@ -23,37 +22,8 @@ const RIPPLE_STEEPNESS: f64 = 0.15;
 /// Standard deviations, in periods per tile, of the wave vectors of the ripples along and across their mean.
 const RIPPLE_SPREAD: [f64; 2] = [3.2, 4.2];
 
-/// Texture of the sea bed: slope of ripples in red, their height in green, fractal noise in blue, coral in alpha.
-pub struct BedTexture {
-    texture: wgpu::Texture,
-    /// View of all mip levels.
-    pub view: wgpu::TextureView,
-    is_filled: bool,
-}
-
-impl BedTexture {
-    /// Creates the texture without contents.
-    pub fn new(gpu: &Gpu) -> Self {
-        let mips = NOISE_SIDE.ilog2() + 1;
-        let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-        let texture = gpu.texture("bed", [NOISE_SIDE, NOISE_SIDE, 1], mips, wgpu::TextureFormat::Rgba8Unorm, usage);
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        Self { texture, view, is_filled: false }
-    }
-
-    /// Computes and uploads the contents when a bed is first seen; most seas are too deep for one.
-    pub fn fill_once(&mut self, gpu: &Gpu) {
-        if !self.is_filled {
-            for (mip_level, bytes) in (0..).zip(mip_levels()) {
-                gpu.write_texture(&self.texture, mip_level, bytes);
-            }
-            self.is_filled = true;
-        }
-    }
-}
-
 /// RGBA bytes of all mip levels, finest first, computed once per process.
-fn mip_levels() -> &'static [Vec<u8>] {
+pub fn mip_levels() -> &'static [Vec<u8>] {
     static MIP_LEVELS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
     MIP_LEVELS.get_or_init(|| {
         let levels = bed_levels(NOISE_SIDE);

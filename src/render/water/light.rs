@@ -7,6 +7,7 @@ use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram}
 use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
+use crate::render::land::LandPass;
 use crate::render::scene::Scene;
 use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{
@@ -28,6 +29,8 @@ const DEPTH_TEST_WATER_LIGHT: DepthState =
 pub struct WaterLightVariant {
     /// Whether the sea bed is visible through the water.
     bed: bool,
+    /// Whether there is land, to which the water's depth belongs at each place.
+    land: bool,
     /// Whether waves focus sunlight into caustics on the bed.
     caustics: bool,
     foam: bool,
@@ -79,6 +82,7 @@ impl WaterLightVariant {
         let bed = material::is_bed_visible(scene);
         Self {
             bed,
+            land: scene.land.is_some(),
             caustics: bed && surface.bed.caustics > 0.0,
             foam: surface.foam.coverage_factor > 0.0,
             coast: scene.has_coast,
@@ -99,9 +103,10 @@ impl WaterLightVariant {
         }
     }
 
-    pub fn constants(self) -> [(&'static str, f64); 17] {
+    pub fn constants(self) -> [(&'static str, f64); 18] {
         [
             switch_constant("WATER_BED", self.bed),
+            switch_constant("WATER_LAND", self.land),
             switch_constant("WATER_CAUSTICS", self.caustics),
             switch_constant("WATER_FOAM", self.foam),
             switch_constant("WATER_COAST", self.coast),
@@ -238,33 +243,42 @@ impl WaterPass {
         }
     }
 
-    /// Records the displacement of the water mesh, then its drawing into the G-buffer and depth texture of `targets`, with
-    /// the pipeline `diving` if the eye dives.
+    /// Records the displacement of the water mesh, then its drawing into the G-buffer and depth texture of `targets`, after
+    /// that of the land and with the pipeline `diving` if the eye dives.
     pub fn record_g_buffer(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         timer: &Timer,
         targets: &Targets,
-        diving: Option<&wgpu::RenderPipeline>,
+        (land, diving): (&LandPass, Option<&wgpu::RenderPipeline>),
     ) {
         self.displace(encoder, timer);
         let mut pass = targets.begin_mesh(encoder, timer);
+        land.draw_g_buffer(&mut pass, self);
         pass.set_pipeline(diving.unwrap_or(&self.g_buffer_pipeline));
         self.draw_mesh(&mut pass);
     }
 
     /// Draws the linear light of all water pixels into the target of `pass`; the G-buffer tells what water each shows.
     pub fn draw_light(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let (Some(pipeline), Some(maps), Some((_, g_buffer))) =
-            (self.light_pipelines.selected(), self.maps_group(), &self.g_buffer)
-        else {
-            return;
-        };
-        pass.set_pipeline(pipeline);
+        if let Some(pipeline) = self.light_pipelines.selected().filter(|_| self.bind_light_groups(pass)) {
+            pass.set_pipeline(pipeline);
+            pass.draw(0..3, 0..1);
+        }
+    }
+
+    /// Binds scene, maps and G-buffer as groups 0 to 2, with which pixels are lit. Returns false before the first frame.
+    pub fn bind_light_groups(&self, pass: &mut wgpu::RenderPass<'_>) -> bool {
+        let (Some(maps), Some((_, g_buffer))) = (self.maps_group(), &self.g_buffer) else { return false };
         pass.set_bind_group(0, &self.scene.group, &[]);
         pass.set_bind_group(1, maps, &[]);
         pass.set_bind_group(2, g_buffer, &[]);
-        pass.draw(0..3, 0..1);
+        true
+    }
+
+    /// Layout of the bind group of depth texture and G-buffer.
+    pub fn g_buffer_layout(&self) -> &wgpu::BindGroupLayout {
+        &self.g_buffer_layout
     }
 
     /// Layouts of the bind groups 0 to 2 with which the mesh is drawn: scene, maps, vertices.

@@ -309,8 +309,11 @@ pub fn water_optics(scattering: &Scattering) -> WaterOptics {
 }
 
 /// Whether the sea bed is drawn: more than `MIN_BED_TRANSMITTANCE` of some colour's light returns from it to the surface,
-/// or to a diving eye.
+/// or to a diving eye. Before land it always is.
 pub fn is_bed_visible(scene: &Scene) -> bool {
+    if scene.land.is_some() {
+        return true;
+    }
     let depth_m = scene.sea.depth_m + 0.5 * scene.view.eye.y.min(0.0);
     let back = water_optics(&scene.look.surface.scattering).two_way_transmittance(depth_m);
     back.into_iter().any(|share| share > MIN_BED_TRANSMITTANCE)

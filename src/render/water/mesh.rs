@@ -22,6 +22,9 @@ pub const COLUMNS_PER_BLOCK: u32 = 8;
 /// a small change of the camera's pitch moves no row.
 const FIRST_ROW_LOG_STEP: f64 = 0.25;
 
+/// Number of pixels of a picture whose water mesh has the default number of vertices.
+const DEFAULT_MESH_PIXELS: f64 = 1280.0 * 720.0;
+
 gpu_struct! {
     /// WGSL `MeshLattice`: polar coordinates of the vertices around the point below the eye. Row i of column j has the
     /// azimuth `first_azimuth + j azimuth_step`, rad clockwise from north, and the distance `linear_radius_m` (exp(t) -
@@ -124,6 +127,16 @@ impl Mesh {
     }
 }
 
+/// Number of vertices of the mesh for a picture of `pixels` pixels, divided by the default: powers of the square root
+/// of two. Up to [`DEFAULT_MESH_PIXELS`] it is in proportion to the pixels, because triangles much smaller than a pixel
+/// show nothing more. Above, it grows with the square root of their number, because waves are smooth. At an eighth of
+/// the default a mesh costs little, and a coarser one would lose waves that a small picture still shows.
+pub fn mesh_density(pixels: f64) -> f64 {
+    let relative = pixels / DEFAULT_MESH_PIXELS;
+    let density = relative.min(relative.sqrt()).clamp(0.125, 2.0);
+    2f64.powf(0.5 * (2.0 * density.log2()).round())
+}
+
 /// Limits of the directions in the picture that may show water: lowest elevation (negative below the horizontal), and
 /// largest azimuth to either side of the picture's middle, both rad; (-pi/2, pi) if the point below the eye is visible.
 fn lowest_elevation_and_largest_azimuth_rad(view: &View) -> (f64, f64) {
@@ -205,5 +218,19 @@ mod tests {
         assert_eq!(a, MeshLattice { first_azimuth: a.first_azimuth, ..b });
         let steps = (b.first_azimuth - a.first_azimuth) / a.azimuth_step;
         assert!((steps - steps.round()).abs() < 1e-3, "{steps}");
+    }
+
+    #[test]
+    fn mesh_density_follows_the_pixels_in_steps() {
+        let density = |width: u32| mesh_density(f64::from(width * width) * 9.0 / 16.0);
+        assert!((density(1280) - 1.0).abs() < 1e-12);
+        assert!((density(640) - 0.25).abs() < 1e-12, "a quarter of the pixels has a quarter of the vertices");
+        assert!((density(5120) - 2.0).abs() < 1e-12);
+        assert!((density(160) - 0.125).abs() < 1e-12);
+        // From 320 to 1280 pixels of width the density grows eight times, in steps of the root of two.
+        let mut seen: Vec<f64> = (20..=80).map(|i| density(16 * i)).collect();
+        assert!(seen.is_sorted());
+        seen.dedup();
+        assert_eq!(seen.len(), 7, "{seen:?}");
     }
 }

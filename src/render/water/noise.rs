@@ -12,11 +12,16 @@ pub const NOISE_SIDE: u32 = 512;
 /// Standard deviation of the channels lace and lumps, whose values are limited to 0..1, at three deviations.
 const NORMAL_DEVIATION: f32 = 1.0 / 6.0;
 
-/// Periodic noise texture (lace of foam in red, bubbles in green, clouds in blue, lumps in alpha) and its sampler.
+/// Periodic noise in the two layers of a texture, and its sampler. The first layer has lace of foam in red, bubbles in
+/// green, clouds in blue and lumps in alpha; the second is the sea bed ([`super::bed`]). One texture for both leaves
+/// shaders room for others.
 pub struct NoiseTexture {
     texture: wgpu::Texture,
+    /// View of both layers with all mip levels.
     pub view: wgpu::TextureView,
+    /// Repeats the noise, and interpolates between mip levels.
     pub sampler: wgpu::Sampler,
+    has_bed: bool,
 }
 
 impl NoiseTexture {
@@ -24,12 +29,23 @@ impl NoiseTexture {
     pub fn new(gpu: &Gpu) -> Self {
         let mips = NOISE_SIDE.ilog2() + 1;
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-        let texture = gpu.texture("noise", [NOISE_SIDE, NOISE_SIDE, 1], mips, wgpu::TextureFormat::Rgba8Unorm, usage);
+        let texture = gpu.texture("noise", [NOISE_SIDE, NOISE_SIDE, 2], mips, wgpu::TextureFormat::Rgba8Unorm, usage);
         let sampler = gpu.sampler("noise", [wgpu::AddressMode::Repeat; 2], wgpu::MipmapFilterMode::Linear);
-        Self { view: texture.create_view(&wgpu::TextureViewDescriptor::default()), texture, sampler }
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        Self { texture, view, sampler, has_bed: false }
     }
 
-    /// Computes the noise, at first use in the process, and uploads all mip levels to the texture.
+    /// Computes and uploads the layer of the sea bed when a bed is first seen; most seas are too deep for one.
+    pub fn fill_bed_once(&mut self, gpu: &Gpu) {
+        if !self.has_bed {
+            for (mip_level, bytes) in (0..).zip(super::bed::mip_levels()) {
+                gpu.write_texture_layer(&self.texture, 1, mip_level, bytes);
+            }
+            self.has_bed = true;
+        }
+    }
+
+    /// Computes the noise, at first use in the process, and uploads all mip levels to the first layer.
     pub fn fill(&self, gpu: &Gpu) {
         for (mip_level, bytes) in (0..).zip(mip_levels()) {
             gpu.write_texture(&self.texture, mip_level, bytes);
@@ -151,7 +167,7 @@ fn normal_quantile(share: f32) -> f32 {
 
 /// Rank of each value among all values, 0 (lowest) to 1, so that the results are spread evenly. Ranks come from a
 /// histogram of 65536 bins; values in the same bin get the same rank.
-pub(super) fn ranks_of_values(values: &[f32]) -> Vec<f32> {
+pub fn ranks_of_values(values: &[f32]) -> Vec<f32> {
     const BINS: usize = 1 << 16;
     let (low, high) = values.iter().fold((f32::MAX, f32::MIN), |(low, high), &v| (low.min(v), high.max(v)));
     let scale = (BINS - 1) as f32 / (high - low).max(f32::MIN_POSITIVE);
@@ -170,7 +186,7 @@ pub(super) fn ranks_of_values(values: &[f32]) -> Vec<f32> {
 }
 
 /// The next coarser mip level of a level of `side` x `side` texels.
-pub(super) fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
+pub fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> {
     let half = side / 2;
     let at = |x: usize, y: usize, c: usize| level[y * side + x][c];
     (0..half * half)
@@ -182,7 +198,7 @@ pub(super) fn half_size_level(level: &[[f32; 4]], side: usize) -> Vec<[f32; 4]> 
 }
 
 /// A periodic lattice of square cells with three random numbers per cell, for Worley or Perlin noise.
-pub(super) struct NoiseLattice {
+pub struct NoiseLattice {
     period: i32,
     /// The numbers of each cell, row by row: for Worley noise the place of a point in the cell, 0 to 1, and the factor on
     /// squared distances from it; for Perlin noise a unit vector at its corner of lowest x and y. Copies of the cells at
@@ -194,12 +210,12 @@ impl NoiseLattice {
     /// A lattice of `period` x `period` cells with a random point in each, for Worley noise. `key` is the random seed.
     /// Distances from the points are longer or shorter by up to the factor e^`variety`, so that the regions differ in
     /// size, and have round borders.
-    pub(super) fn feature_points(period: i32, key: u32, variety: f32) -> Self {
+    pub fn feature_points(period: i32, key: u32, variety: f32) -> Self {
         Self::new(period, key, |[a, b, c]| [a, b, (variety * (4.0 * c - 2.0)).exp()])
     }
 
     /// A lattice of `period` x `period` corners with a random unit vector at each, for Perlin noise. `key` is a seed.
-    pub(super) fn gradients(period: i32, key: u32) -> Self {
+    pub fn gradients(period: i32, key: u32) -> Self {
         Self::new(period, key, |[a, ..]| {
             let (sin, cos) = (a * std::f32::consts::TAU).sin_cos();
             [cos, sin, 0.0]
@@ -253,13 +269,13 @@ impl NoiseLattice {
     }
 
     /// Worley noise, 0 to 1, at (x, y) in a tile of side 1: 1 on the borders between the points' regions, less inside.
-    pub(super) fn ridge_noise(&self, x: f32, y: f32) -> f32 {
+    pub fn ridge_noise(&self, x: f32, y: f32) -> f32 {
         let [first, second] = self.squared_distances(x, y).map(f32::sqrt);
         1.0 - (second - first).min(1.0).sqrt()
     }
 
     /// Perlin noise, about -0.7 to 0.7, at (x, y) in a periodic tile of side 1.
-    pub(super) fn perlin_noise(&self, x: f32, y: f32) -> f32 {
+    pub fn perlin_noise(&self, x: f32, y: f32) -> f32 {
         let (before, [fx, fy]) = self.locate_cell(x, y);
         let corner = |dx: usize, dy: usize| {
             let [cos, sin, _] = self.cells[before + (dy + 1) * self.stored_row_length() + dx + 1];

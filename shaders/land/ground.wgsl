@@ -1,0 +1,146 @@
+// What the land looks like: sand, dune grass and heath, rock, the blocks of breakwaters and the concrete of a quay.
+
+// Sides of the tiles of noise, m: over hundreds of metres, tens, and metres.
+const LAND_WIDE_M = 437.0;
+const LAND_MIDDLE_M = 53.0;
+const LAND_FINE_M = 7.9;
+// Slopes between which land becomes rock.
+const LAND_ROCK_SLOPES = vec2f(0.45, 0.85);
+// Height above the still water, m, at which the first dune grass grows.
+const LAND_GRASS_M = 3.2;
+// Fractions of its albedo, RGB, that wet sand keeps.
+const LAND_DAMP = vec3f(0.60, 0.56, 0.52);
+// Albedos.
+const LAND_MARRAM = vec3f(0.150, 0.155, 0.068);
+const LAND_STRAW = vec3f(0.290, 0.245, 0.130);
+const LAND_HEATH = vec3f(0.062, 0.074, 0.026);
+const LAND_TURF = vec3f(0.088, 0.122, 0.036);
+const LAND_SCRUB = vec3f(0.026, 0.038, 0.015);
+const LAND_ROCK = vec3f(0.235, 0.200, 0.160);
+const LAND_DARK_ROCK = vec3f(0.105, 0.092, 0.080);
+const LAND_WEED = vec3f(0.030, 0.034, 0.016);
+const LAND_BLOCK = vec3f(0.260, 0.250, 0.235);
+const LAND_CONCRETE = vec3f(0.400, 0.385, 0.355);
+
+struct LandGround {
+  albedo: vec3f,
+  // Slope of the fine relief, to be added to that of the land, in the frame of the coast.
+  relief: vec2f,
+  // Share of the pixel under a film of water, 0 to 1.
+  film: f32,
+}
+
+// Share of sand that is wet (x), and that a film of water covers (y), at a height above the still water, m, where noise
+// bends the lines.
+fn land_wetness(height: f32, bend: f32) -> vec2f {
+  let at = height + 0.14 * bend;
+  return 1.0 - vec2f(maths_smooth((at - land.run_up_m) * 1.6 + 0.4), maths_smooth((at - land.film_m) * 2.2 + 0.5));
+}
+
+// Bare sand, from dry to wet, with what the sea has left at its upper line.
+fn land_sand(height: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) -> LandGround {
+  let wet = land_wetness(height, middle.z);
+  // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
+  let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet.x);
+  var out: LandGround;
+  out.albedo = material.bed_colour * (land_sand_tone(middle, fine) * (1.0 + 0.07 * rippled * fine.y));
+  // Driftweed lies along the line that the highest waves reach.
+  let line = (height + 0.16 * middle.z - land.run_up_m - 0.12) * 4.5;
+  let weed = exp(-line * line) * saturate(0.9 * fine.w + 0.5 * middle.w - 0.35);
+  out.albedo = mix(out.albedo, LAND_WEED, 0.8 * saturate(weed));
+  out.albedo *= mix(vec3f(1.0), LAND_DAMP, wet.x);
+  out.relief = vec2f(0.30 * rippled * fine.x, 0.0);
+  out.film = wet.y;
+  return out;
+}
+
+// Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow on.
+fn land_plants(ground: LandGround, place: vec2f, height: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> LandGround {
+  let grown = height - LAND_GRASS_M + 0.45 * middle.z + 0.5 * wide.z;
+  // The front of a dune has single tufts, its back is green.
+  let cover = saturate(0.30 * grown);
+  let tufts = maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.4 + 3.2 * cover);
+  let back = maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5) + 0.55 * wide.z);
+  let tips = saturate(0.5 + 0.32 * fine.z + 0.2 * middle.z);
+  var green = mix(LAND_MARRAM, LAND_STRAW, 0.75 * tips);
+  let soil = mix(LAND_HEATH, LAND_TURF, saturate(0.5 + 0.6 * wide.w));
+  green = mix(green, soil * (1.0 + 0.22 * fine.z), back);
+  let scrub = maths_smooth(1.2 * (0.8 * middle.w + 0.8 * wide.z) - 0.4) * back;
+  green = mix(green, LAND_SCRUB * (1.0 + 0.3 * fine.w), scrub);
+  let share = max(tufts * saturate(1.5 * cover), back);
+  var out = ground;
+  out.albedo = mix(ground.albedo, max(green, vec3f(0.008)), share);
+  // Tufts stand up: their sides face all directions.
+  out.relief = mix(ground.relief, 0.28 * vec2f(fine.w, middle.w), share);
+  out.film = ground.film * (1.0 - share);
+  return out;
+}
+
+// Bedrock in layers, dark and weedy where waves keep it wet.
+fn land_rock(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> LandGround {
+  // Layers dip gently; cracks cross them.
+  let layer = height + 0.11 * place.x - 0.05 * place.y + 1.1 * wide.z;
+  let strata = land_noise(vec2f(0.045 * (place.x - place.y), layer), 11.0, 0.25 * size);
+  let face = land_noise(vec2f(place.x + 0.6 * place.y, height), 19.0, size);
+  let tone = saturate(0.5 + 0.30 * strata.z + 0.10 * strata.w + 0.12 * middle.z);
+  var out: LandGround;
+  out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.16 * face.w + 0.10 * fine.z, 0.3);
+  // Lichen and iron colour what the spray no longer reaches.
+  out.albedo *= mix(vec3f(1.0), vec3f(1.16, 1.0, 0.80), saturate(0.4 * wide.w + 0.3 * middle.w));
+  let wet = land_wetness(height - 0.5, 1.4 * middle.z);
+  out.albedo = mix(out.albedo, LAND_WEED + 0.18 * out.albedo, 0.85 * wet.x);
+  out.relief = vec2f(0.35 * face.z + 0.25 * strata.z, 0.32 * face.w);
+  out.film = 0.35 * wet.x;
+  return out;
+}
+
+// Blocks of a breakwater: light stone above, weed below.
+fn land_rubble(height: f32, middle: vec4f, fine: vec4f) -> LandGround {
+  var out: LandGround;
+  out.albedo = LAND_BLOCK * max(1.0 + 0.18 * middle.w + 0.12 * fine.z, 0.3);
+  let wet = land_wetness(height - 0.3, 1.5 * middle.z);
+  out.albedo = mix(out.albedo, LAND_WEED + 0.2 * out.albedo, 0.9 * wet.x);
+  out.relief = 0.3 * vec2f(fine.w, fine.z);
+  out.film = 0.3 * wet.x;
+  return out;
+}
+
+// Concrete in slabs with joints, stained, and weedy at the waterline.
+fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
+  let joint = abs(fract(place.y * (1.0 / 8.0)) - 0.5) * 8.0;
+  let line = clamp((0.06 - joint) / max(size, 0.02) + 0.5, 0.0, min(0.12 / max(size, 0.02), 1.0));
+  var out: LandGround;
+  out.albedo = LAND_CONCRETE * max(1.0 + 0.06 * middle.z + 0.05 * fine.z, 0.4) * (1.0 - 0.45 * line);
+  let wet = 1.0 - maths_smooth((height + 0.1 * middle.z - 0.3) * 1.4);
+  out.albedo = mix(out.albedo, LAND_WEED + 0.12 * out.albedo, 0.9 * wet);
+  return out;
+}
+
+// The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there, `size`
+// the width of the texels that are averaged over the pixel, m.
+fn land_ground(place: vec2f, height: f32, map: vec4f, slope: vec2f, size: f32) -> LandGround {
+  let wide = land_noise(place, LAND_WIDE_M, size);
+  let middle = land_noise(place.yx, LAND_MIDDLE_M, size);
+  let fine = land_noise(vec2f(0.96 * place.x + 0.28 * place.y, 0.96 * place.y - 0.28 * place.x), LAND_FINE_M, size);
+  var out = land_sand(height, middle, fine, wide, size);
+  if height > LAND_GRASS_M - 2.0 {
+    out = land_plants(out, place, height, middle, fine, wide);
+  }
+  let steep = length(slope) + 0.06 * middle.z + 0.05 * fine.z;
+  let rock = maths_smooth((steep - LAND_ROCK_SLOPES.x) / (LAND_ROCK_SLOPES.y - LAND_ROCK_SLOPES.x));
+  let built = saturate(4.0 * abs(map.w) - 1.0);
+  if rock * (1.0 - built) > 0.0 {
+    let stone = land_rock(place, height, size, middle, fine, wide);
+    out = LandGround(
+      mix(out.albedo, stone.albedo, rock), mix(out.relief, stone.relief, rock), mix(out.film, stone.film, rock));
+  }
+  if built > 0.0 {
+    var made = land_concrete(place, height, size, middle, fine);
+    if map.w < 0.0 {
+      made = land_rubble(height, middle, fine);
+    }
+    out = LandGround(
+      mix(out.albedo, made.albedo, built), mix(out.relief, made.relief, built), mix(out.film, made.film, built));
+  }
+  return out;
+}

@@ -1,0 +1,158 @@
+// Draws the land into the G-buffer, and lights its pixels.
+
+@group(0) @binding(9) var<uniform> material: Material;
+@group(1) @binding(0) var<storage, read> land_vertices: array<LandVertex>;
+
+// Whether the sun is so low that land shades land.
+override LAND_SHADOWS: bool = false;
+
+struct LandMeshFragment {
+  @builtin(position) clip: vec4f,
+  @location(0) slope: vec2f,
+}
+
+@vertex
+fn mesh_vertex(@builtin(vertex_index) i: u32) -> LandMeshFragment {
+  let v = land_vertices[i];
+  let off = land_to_world(v.place - land.eye_place);
+  let drop = dot(off, off) / (2.0 * FRAME_EARTH_RADIUS_M);
+  let place = vec3f(off.x, v.height_m - drop - frame.eye_height_m, off.y);
+  return LandMeshFragment(frame.clip_from_relative * vec4f(place, 1.0), unpack2x16float(v.slope));
+}
+
+// As the G-buffer of the water (shaders/water/light.wgsl), at a place where there is none.
+struct LandGBuffer {
+  @location(0) undisplaced: vec2f,
+  @location(1) slope: vec4f,
+  @location(2) nothing: vec2f,
+}
+
+@fragment
+fn mesh_fragment(in: LandMeshFragment) -> LandGBuffer {
+  return LandGBuffer(vec2f(2.0 * LAND_NO_WATER_M), vec4f(in.slope, 0.0, 0.0), vec2f(0.0));
+}
+
+@group(2) @binding(0) var depth_map: texture_depth_2d;
+@group(2) @binding(1) var undisplaced_map: texture_2d<f32>;
+@group(2) @binding(2) var slope_map: texture_2d<f32>;
+
+struct LandFragment {
+  @builtin(position) clip: vec4f,
+  @location(0) ray: vec3f,
+}
+
+@vertex
+fn light_vertex(@builtin(vertex_index) i: u32) -> LandFragment {
+  let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
+  // Behind all land and before the sky, as in shaders/water/light.wgsl.
+  return LandFragment(vec4f(at, 1e-30, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
+}
+
+// Number of steps of a ray towards the sun, the first one, m, and how much longer each is than the one before.
+const LAND_SHADOW_STEPS = 11;
+const LAND_FIRST_STEP_M = 1.5;
+const LAND_STEP_RATIO = 1.6;
+
+// Fraction of the sun's disc that the land leaves visible from a place in the frame of the coast.
+fn land_visible_sun(place: vec2f, height: f32, size: f32) -> f32 {
+  let l = frame.sun_direction;
+  let across = max(length(l.xz), 1e-3);
+  let toward = vec2f(dot(l.xz, land.shoreward), l.z * land.shoreward.x - l.x * land.shoreward.y) / across;
+  let rise = max(l.y, 0.0) / across;
+  var step_m = max(LAND_FIRST_STEP_M, size);
+  var far_m = 0.0;
+  var least = 1e3;
+  for (var i = 0; i < LAND_SHADOW_STEPS; i++) {
+    far_m += step_m;
+    let ground = land_at(place + toward * far_m, land_lod(0.5 * step_m)).x;
+    // Half the width of the penumbra, and what the map does not resolve.
+    least = min(least, (height + far_m * rise - ground) / (0.012 * far_m + 0.08 * step_m));
+    step_m *= LAND_STEP_RATIO;
+  }
+  return maths_smooth(0.5 + 0.5 * least);
+}
+
+// Share of the sky that the land around leaves open: less in hollows and at the foot of cliffs.
+fn land_open_sky(place: vec2f, height: f32, size: f32) -> f32 {
+  let near = land_at(place, land_lod(max(5.0, size))).x - height;
+  let around = land_at(place, land_lod(max(40.0, size))).x - height;
+  return 1.0 / (1.0 + 0.55 * max(near, 0.0) + 0.09 * max(around, 0.0));
+}
+
+// Standard deviation of the slopes of a film of water on sand.
+const LAND_FILM_ROUGHNESS = 0.05;
+
+// Light that a film of water mirrors towards the eye (rgb), and its reflectance (w).
+fn land_film_mirror(v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
+  let square = 1.0 + dot(slope, slope);
+  let facing = max(v.y - dot(v.xz, slope), 1e-3);
+  let reflectance = water_fresnel(facing * inverseSqrt(square));
+  let twice = 2.0 * facing;
+  let over = MIRRORED_SCALE / max(square * (1.0 - v.y) + twice, 1e-4);
+  let uv = 0.5 - over * (twice * slope + square * v.xz);
+  let layer = mirrored_sky_layer(2.0 * LAND_FILM_ROUGHNESS);
+  var radiance = reflectance * textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), layer), 0.0).rgb;
+  let between = frame.sun_direction + v;
+  if frame.sun_direction.y > 0.0 && between.y > 0.01 {
+    let off = -between.xz / between.y - slope;
+    let variance = LAND_FILM_ROUGHNESS * LAND_FILM_ROUGHNESS + frame.sun_slope_variance;
+    let facets = exp(-min(0.5 * dot(off, off) / variance, 60.0)) / (2.0 * ATM_PI * variance);
+    let h = normalize(between);
+    let brightness = water_fresnel(dot(v, h)) * facets / (4.0 * h.y * h.y * h.y * h.y * max(facing, 0.05));
+    radiance += sun * min(brightness, frame.sun_radiance_per_irradiance);
+  }
+  return vec4f(radiance, reflectance);
+}
+
+@fragment
+fn light_fragment(in: LandFragment) -> @location(0) vec4f {
+  let pixel = vec2i(in.clip.xy);
+  if textureLoad(undisplaced_map, pixel, 0).x < LAND_NO_WATER_M {
+    discard;
+  }
+  let position = in.ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
+  let distance_m = length(position);
+  let dir = position / distance_m;
+  let height = position.y + frame.eye_height_m + dot(position.xz, position.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
+  let place = land_place(position.xz);
+  // Beyond the coast's rectangle the slope is that of the mesh.
+  let outside = max(max(-place, place - land.side_m), vec2f(0.0));
+  let is_outside = maths_smooth(0.01 * max(outside.x, outside.y));
+  let mesh_slope = textureLoad(slope_map, pixel, 0).xy;
+  // Texels that cover the pixel on the ground: the mean of its two sides.
+  let facing = max(-dir.y + dot(land_to_world(mesh_slope), dir.xz), 0.0) * inverseSqrt(1.0 + dot(mesh_slope, mesh_slope));
+  let size = 0.58 * frame.pixel_angle * distance_m * inverseSqrt(max(facing, 0.02));
+  let map = land_at(place, land_lod(size));
+  let slope = mix(map.yz, mesh_slope, is_outside);
+  let ground = land_ground(place, height, map * (1.0 - is_outside), slope, size);
+
+  if SKY_CLOUD_SHADOWS {
+    cloud_sun_fraction = cloud_sun_transmittance(position.xz, log2(max(size, 1.0)));
+  }
+  var sunlight = cloud_sun_irradiance();
+  if LAND_SHADOWS {
+    sunlight *= land_visible_sun(place, height, size);
+  }
+  let tilt = land_to_world(slope + ground.relief);
+  let n = vec3f(-tilt.x, 1.0, -tilt.y) * inverseSqrt(1.0 + dot(tilt, tilt));
+  let l = frame.sun_direction;
+  let open = land_open_sky(place, height, size);
+  // What faces the ground gets the light of the ground.
+  let level = sunlight * max(l.y, 0.0) + light.sky_irradiance;
+  let up = 0.5 + 0.5 * n.y;
+  let sky_light = open * (up * light.sky_irradiance + (1.0 - up) * 0.2 * level);
+  let cosine = max(dot(n, l), 0.0);
+  var radiance = ground.albedo * (sunlight * cosine + sky_light) / ATM_PI;
+  if ground.film > 0.0 {
+    // As sand under water that has no depth (shaders/water/bed.wgsl).
+    let smooth_tilt = land_to_world(slope);
+    let v = vec3f(-dir.x, max(-dir.y, 1e-3), -dir.z);
+    let mirror = land_film_mirror(v, smooth_tilt, sunlight);
+    let entering = sunlight * (cosine * (1.0 - water_fresnel(cosine))) + 0.934 * sky_light;
+    let spread = material.inverse_relative_index * material.inverse_relative_index;
+    let wet = ground.albedo / LAND_DAMP * entering / ATM_PI;
+    radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, ground.film);
+  }
+  let air = air_to_point(dir, distance_m);
+  return frame_hdr_output(radiance * air[1] + air[0], 1.0 / distance_m);
+}

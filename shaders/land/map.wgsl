@@ -1,0 +1,58 @@
+// The map of the land (src/render/land/map.rs): height, m, slopes along the axes of the coast's frame, and kind of the
+// ground. The uniform `Land` tells where it lies.
+
+// Whether there is land, so that the water has a depth of its own at each place.
+override WATER_LAND: bool = false;
+// Undisplaced position from which a pixel of the G-buffer shows no water (`NO_WATER_M` in src/render/targets.rs), m.
+const LAND_NO_WATER_M = 5e8;
+
+// Position in the frame of the coast, m, of a point (x, z) relative to the one below the eye, m.
+fn land_place(at: vec2f) -> vec2f {
+  return land.eye_place + vec2f(dot(at, land.shoreward), at.y * land.shoreward.x - at.x * land.shoreward.y);
+}
+
+// A vector (x, z) of the world from its components in the frame of the coast.
+fn land_to_world(v: vec2f) -> vec2f {
+  return vec2f(v.x * land.shoreward.x - v.y * land.shoreward.y, v.x * land.shoreward.y + v.y * land.shoreward.x);
+}
+
+// Mip level of the map whose texels are `size` metres wide.
+fn land_lod(size: f32) -> f32 {
+  return max(log2(max(size, 1e-6)) + land.log_texels_per_m, 0.0);
+}
+
+// Height, slopes and kind of the ground at a place in the frame of the coast, at a mip level. Beyond the coast's rectangle
+// those of its edge hold.
+fn land_at(place: vec2f, lod: f32) -> vec4f {
+  let border = min(land.uv_start * exp2(ceil(lod)), vec2f(0.5));
+  let uv = clamp(place * land.uv_per_m + land.uv_start, border, 1.0 - border);
+  return textureSampleLevel(land_map, noise_sampler, uv, lod);
+}
+
+// Depth of the still water, m, at a point (x, z) relative to the one below the eye, over texels of `size` metres.
+fn land_depth_m(at: vec2f, size: f32) -> f32 {
+  return -land_at(land_place(at), land_lod(size)).x;
+}
+
+// Length, m, of the vertical through the water where a ray that goes down from the surface meets the bed. `at`: where it
+// starts (x, z), `run`: how far it goes for each metre down, `height`: that of the surface, m.
+fn land_column_m(at: vec2f, run: vec2f, height: f32, size: f32) -> f32 {
+  let below = max(land_depth_m(at, size) + height, 0.0);
+  let first = max(land_depth_m(at + run * below, size) + height, 0.0);
+  // Over a slope the ray meets the bed between both.
+  let half = 0.5 * (below + first);
+  return max(land_depth_m(at + run * half, size) + height, 0.0);
+}
+
+// Noise of the ground: slope and height of ripples (x, y), normal noises, fractal (z) and of blocks (w), of a tile of
+// `tile_m` metres, over texels of `size` metres. They are those of the bed (src/render/water/bed.rs).
+fn land_noise(place: vec2f, tile_m: f32, size: f32) -> vec4f {
+  let lod = max(log2(max(size, 1e-6) * (512.0 / tile_m)), 0.0);
+  let texel = textureSampleLevel(noise_map, noise_sampler, place * (1.0 / tile_m), 1, lod);
+  return (texel - 0.5) * vec4f(2.0, 3.2, 6.4, 6.4);
+}
+
+// Brightness of sand relative to its mean, from its noises over tens of metres and over metres.
+fn land_sand_tone(wide: vec4f, fine: vec4f) -> f32 {
+  return max(1.0 + 0.045 * wide.z + 0.05 * fine.z, 0.5);
+}

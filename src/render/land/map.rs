@@ -1,0 +1,97 @@
+//! The map of the land that shaders read: height, slopes and kind of the ground, in the frame of the coast.
+
+use super::relief::{INNER, Relief};
+use crate::coast::PlacedCoast;
+use crate::coast::runup::RunUp;
+use crate::gpu::Gpu;
+use crate::gpu::layout::gpu_struct;
+use crate::render::scene::Scene;
+use half::f16;
+
+/// Half floats: height, m, slopes along x and y of the coast's frame, and kind ([`super::relief::RUBBLE`]).
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+/// Slope of the foreshore of the built-in coasts, up which waves run.
+const FORESHORE_SLOPE: f64 = 0.08;
+
+gpu_struct! {
+    /// WGSL `Land`: where the coast lies, and how its map is read.
+    pub struct LandUniform as "Land" {
+        /// Unit vector (x, z) of the coast's x axis, which points shoreward; its y axis lies 90 degrees clockwise from it.
+        shoreward: [f32; 2],
+        /// Position of the point below the eye in the frame of the coast, m.
+        eye_place: [f32; 2],
+        /// Texture coordinates of the map are a position in that frame times this, plus `uv_start`.
+        uv_per_m: [f32; 2],
+        uv_start: [f32; 2],
+        /// Lengths of the coast's rectangle along x and y, m.
+        side_m: [f32; 2],
+        /// Binary logarithm of the number of texels per metre.
+        log_texels_per_m: f32,
+        /// Heights above the still water up to which waves keep the sand covered with a film of water, and which the
+        /// highest waves reach, m.
+        film_m: f32,
+        run_up_m: f32,
+        unused: [u32; 3],
+    }
+}
+
+impl LandUniform {
+    pub fn new(coast: &PlacedCoast, scene: &Scene) -> Self {
+        let placement = coast.placement();
+        let (sin, cos) = placement.turn_rad.sin_cos();
+        let eye = [scene.view.eye.x - placement.origin_m[0], scene.view.eye.z - placement.origin_m[1]];
+        let steps = coast.side_m().map(|side_m| side_m / (INNER - 1) as f64);
+        let run_up = RunUp::new(scene.sea.hs_m, scene.sea.peak_wavelength_m, FORESHORE_SLOPE);
+        Self {
+            shoreward: [cos as f32, sin as f32],
+            eye_place: [(eye[0] * cos + eye[1] * sin) as f32, (eye[1] * cos - eye[0] * sin) as f32],
+            uv_per_m: steps.map(|step_m| (1.0 / (step_m * INNER as f64)) as f32),
+            uv_start: [(0.5 / INNER as f64) as f32; 2],
+            side_m: coast.side_m().map(|side_m| side_m as f32),
+            log_texels_per_m: (-0.5 * (steps[0] * steps[1]).log2()) as f32,
+            film_m: (run_up.set_up_m + 0.25 * run_up.swash_m) as f32,
+            run_up_m: run_up.two_percent_m as f32,
+            unused: [0; 3],
+        }
+    }
+}
+
+/// A map of one texel, for scenes without land.
+pub fn no_map(gpu: &Gpu) -> wgpu::TextureView {
+    let map = gpu.texture("no land", [1, 1, 1], 1, FORMAT, wgpu::TextureUsages::TEXTURE_BINDING);
+    map.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+/// Uploads the map of a relief with all mip levels.
+pub fn map_of(gpu: &Gpu, relief: &Relief) -> wgpu::TextureView {
+    let side = INNER as u32;
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+    let map = gpu.texture("land", [side, side, 1], INNER.ilog2() + 1, FORMAT, usage);
+    let mut level: Vec<[f32; 4]> = (0..INNER * INNER)
+        .map(|i| {
+            let at = Relief::inner_index(i % INNER, i / INNER);
+            let [x, y] = relief.slope[at];
+            [relief.height_m[at], x, y, relief.kind[at]]
+        })
+        .collect();
+    let mut width = INNER;
+    for mip_level in 0..=INNER.ilog2() {
+        let texels: Vec<[f16; 4]> = level.iter().map(|texel| texel.map(f16::from_f32)).collect();
+        gpu.write_texture(&map, mip_level, bytemuck::cast_slice(&texels));
+        level = half_size(&level, width);
+        width = (width / 2).max(1);
+    }
+    map.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+/// The next coarser level of a square of `width` x `width` texels. An odd last row or column is left out.
+fn half_size(level: &[[f32; 4]], width: usize) -> Vec<[f32; 4]> {
+    let half = (width / 2).max(1);
+    let at = |x: usize, y: usize, c: usize| level[y.min(width - 1) * width + x.min(width - 1)][c];
+    (0..half * half)
+        .map(|i| {
+            let (x, y) = (2 * (i % half), 2 * (i / half));
+            std::array::from_fn(|c| 0.25 * (at(x, y, c) + at(x + 1, y, c) + at(x, y + 1, c) + at(x + 1, y + 1, c)))
+        })
+        .collect()
+}
