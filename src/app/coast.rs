@@ -71,6 +71,7 @@ impl App {
     /// Places the coast of the parameters `drawn`, with which the next frame is drawn, and solves its waves.
     pub(super) fn follow_coast(&mut self, drawn: &Params, ctx: &egui::Context) {
         self.coast.task.update(drawn, ctx.input(|i| i.time));
+        self.derived.set_transfer(self.coast.task.transfer());
         if self.coast.task.is_busy(drawn) {
             #[cfg(target_arch = "wasm32")]
             ctx.request_repaint();

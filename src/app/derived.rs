@@ -1,6 +1,7 @@
 //! Quantities derived from the parameters. They are computed when the parameters change, not in every frame.
 
 use super::plots::polar::DirectionalSpectrumSamples;
+use crate::coast::Transfer;
 use crate::point::StrongestWaves;
 use crate::point::floating::HullWaves;
 use crate::state::Params;
@@ -8,6 +9,7 @@ use crate::waves::crest_theory::CrestTheory;
 use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
 use crate::waves::{Plan, SeaChange};
 use std::cell::OnceCell;
+use std::sync::Arc;
 
 /// Plan, statistics and plot data of one sea, computed from its parameters. The expensive parts are computed at their
 /// first use.
@@ -25,6 +27,8 @@ pub struct DerivedSeaData {
     /// The strongest waves of the sea, selected as for the motion of floating hulls; here they only give the height of
     /// the sea at a point (see [`Self::strongest_waves`]). Empty until first used.
     hull_waves: OnceCell<HullWaves>,
+    /// What the coast makes of the waves; `None` in the open sea, and until it is solved.
+    transfer: Option<Arc<Transfer>>,
     /// Directional spectrum, sampled for the panel's polar plot; empty until first used.
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,
     /// Expected distributions of crests and heights; empty until first used.
@@ -42,6 +46,7 @@ impl DerivedSeaData {
             theoretical_statistics: theory,
             resolved: OnceCell::new(),
             hull_waves: OnceCell::new(),
+            transfer: None,
             directional_spectrum: OnceCell::new(),
             crest_theory: OnceCell::new(),
         }
@@ -65,15 +70,30 @@ impl DerivedSeaData {
         change
     }
 
+    /// Takes the transfer functions of the coast of the shown sea. Those of another sea change nothing.
+    pub fn set_transfer(&mut self, transfer: Option<&Arc<Transfer>>) {
+        if self.transfer.as_ref().map(Arc::as_ptr) != transfer.map(Arc::as_ptr) {
+            self.transfer = transfer.cloned();
+            self.hull_waves = OnceCell::new();
+        }
+    }
+
     /// Statistics of the resolved waves (those on the FFT grids); computed at the first call.
     pub fn lattice_statistics(&self) -> &LatticeStatistics {
         self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theoretical_statistics.variance_m2))
     }
 
-    /// The waves of the sea with the largest variance. Their sum, computed on the CPU, approximates the height of the
-    /// sea, m, at any point and time.
+    /// The waves of the sea with the largest variance, at a coast with what that makes of them. Their sum, computed on the
+    /// CPU, approximates the height of the sea, m, at any point and time.
     pub fn strongest_waves(&self) -> &StrongestWaves {
-        self.hull_waves.get_or_init(|| HullWaves::new(&self.plan)).heave_waves()
+        let select = || {
+            let waves = HullWaves::new(&self.plan);
+            match &self.transfer {
+                Some(transfer) => waves.with_coast(&self.plan, transfer),
+                None => waves,
+            }
+        };
+        self.hull_waves.get_or_init(select).heave_waves()
     }
 
     /// Directional spectrum, sampled for the panel's polar plot; computed at the first call.
@@ -90,7 +110,6 @@ impl DerivedSeaData {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::sync::Arc;
 
     #[test]
     fn foam_leaves_theory_and_heights_as_they_are() {

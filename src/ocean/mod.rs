@@ -3,6 +3,7 @@
 mod coast;
 pub mod coast_task;
 pub mod device_info;
+mod hulls;
 mod interpolated;
 mod land;
 pub mod maps;
@@ -16,7 +17,6 @@ pub mod still;
 use crate::coast::PlacedCoast;
 use crate::gpu::Gpu;
 use crate::gpu::timer::Timer;
-use crate::point::floating::{HullPose, HullWaves, hull_pose};
 use crate::render::{FadingSea, ReferenceRenderer, Renderer, Scene, SeaAppearance};
 use crate::shaders::Shaders;
 use crate::sim::transition::{Interpolated, TransitionFrameProgress, TransitionKind};
@@ -27,6 +27,7 @@ use crate::state::params::CameraMode;
 use crate::waves::colour_scale::ColourScale;
 use crate::waves::{Plan, SeaChange};
 use coast_task::{CoastKey, ShownCoast};
+use hulls::DrawnHullWaves;
 use interpolated::WeightedPlans;
 use land::{built_in_land, relative_to_still_water};
 use std::sync::Arc;
@@ -78,8 +79,8 @@ pub struct Ocean {
     plans: Interpolated<WeightedPlans>,
     /// The coast that [`Self::solve_coast`] solved last.
     coast_solved: Option<(CoastKey, ShownCoast)>,
-    /// For each plan whose waves are drawn: the plan, and those of its waves that move the floating objects.
-    hull_waves: Vec<(Arc<Plan>, HullWaves)>,
+    /// For each plan whose waves are drawn, those of its waves that move the floating objects.
+    hull_waves: Vec<DrawnHullWaves>,
     land: Option<Arc<PlacedCoast>>,
     timer: Timer,
 }
@@ -345,32 +346,6 @@ impl Ocean {
             t_s: self.params.clock.t_s,
             cloud_drift_m: sea.cloud_velocity_m_s.map(|v| v * self.params.clock.t_s),
             sea,
-        }
-    }
-
-    /// Positions and orientations of the floating objects at the time of the parameters, in the order in which the
-    /// parameters list them; empty until a frame with them has been recorded.
-    pub fn hull_poses(&self) -> Vec<HullPose> {
-        let (seas, level_m) = (self.drawn_seas(), self.still_water_level_m());
-        let on = |sea: &DrawnSea| self.hull_waves.iter().find(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)).map(|(_, w)| w);
-        let lines: Option<Vec<_>> = seas.iter().map(|sea| Some((on(sea)?, sea.amplitude_factors[0]))).collect();
-        let Some(lines) = lines else { return Vec::new() };
-        self.params.floating_objects.iter().map(|f| hull_pose(&lines, f, self.params.clock.t_s, level_m)).collect()
-    }
-
-    /// Updates `hull_waves`, the waves that move the floating objects, for the plans drawn now; empty without objects.
-    fn select_hull_waves(&mut self) {
-        if self.params.floating_objects.is_empty() {
-            self.hull_waves.clear();
-            return;
-        }
-        let seas = self.drawn_seas();
-        self.hull_waves.retain(|(plan, _)| seas.iter().any(|sea| Arc::ptr_eq(plan, &sea.plan)));
-        for sea in seas {
-            if !self.hull_waves.iter().any(|(plan, _)| Arc::ptr_eq(plan, &sea.plan)) {
-                let line = HullWaves::new(&sea.plan);
-                self.hull_waves.push((sea.plan, line));
-            }
         }
     }
 }

@@ -3,10 +3,12 @@
 //! Hulls follow [`StrongestWaves`], which sums the strongest of the drawn waves on the CPU, without read-back or delay.
 
 use super::heights::StrongestWaves;
+use crate::coast::Transfer;
 use crate::state::floats::{FloatingObject, FloatingObjectKind};
 use crate::waves::Plan;
 use glam::DVec3;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Largest rms height of the waves that a hull's heave leaves out, as a fraction of the significant wave height.
 const MAX_HEIGHT_ERROR_TO_HS: f64 = 0.018;
@@ -66,6 +68,17 @@ impl HullWaves {
             upwind: plan.downwind.map(|d| -d),
             wind_m_s: plan.sea.first_system().wind_m_s,
             still_water_level_m: plan.sea.still_water_level_m,
+        }
+    }
+
+    /// The same waves at a coast; see [`StrongestWaves::with_coast`]. `plan` is that from which they were selected.
+    #[must_use]
+    pub fn with_coast(self, plan: &Plan, transfer: &Arc<Transfer>) -> Self {
+        let plan = &plan.with_fft_size_at_most(MAX_FFT_SIZE_FOR_FLOATING_OBJECTS);
+        Self {
+            heave_waves: self.heave_waves.with_coast(plan, transfer),
+            tilt_waves: self.tilt_waves.with_coast(plan, transfer),
+            ..self
         }
     }
 

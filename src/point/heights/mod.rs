@@ -13,6 +13,7 @@
 //!   waves, unless the sea has `order=1`.
 //! - **Tiling**: like the drawn sea, the sum blends shifted copies of each patch (`tiling`). Derivatives are those of
 //!   the blend.
+//! - **Coast**: [`StrongestWaves::with_coast`] adds what a coast makes of the longest waves, as the drawn sea has it.
 //! - **Cost**: about 11 ns per wave, copy and evaluation with the vector units of every x86-64. A point sees 1.7 copies
 //!   on average, and a sample takes four to six evaluations (one without chop): about 0.1 ms for 1000 waves. The
 //!   constructors evaluate all waves of the plan, which takes a few milliseconds at n = 128. A larger FFT size only
@@ -27,15 +28,19 @@
 //!   period, 20 microseconds for a day.
 //! - **Determinism**: a sample depends only on the plan, the point and the time. Sampling neither allocates nor locks.
 
+use crate::coast::transfer::CoastalWaves;
 use crate::waves::Plan;
 use crate::waves::lattice::period_fraction_u32;
 use crate::waves::plan::Cascade;
 pub use record::WaveStaff;
 use search::CONVERGED_DISTANCE_M;
-use waves::{CandidateWave, PatchWaves, WaveSums, candidate_waves};
+use sums::WaveSums;
+use waves::{CandidateWave, PatchWaves, candidate_waves};
 
+mod ashore;
 mod record;
 mod search;
+mod sums;
 #[cfg(test)]
 mod tests;
 mod waves;
@@ -62,6 +67,8 @@ mod waves;
 #[derive(Clone, Debug, PartialEq)]
 pub struct StrongestWaves {
     patches: Vec<PatchWaves>,
+    /// Waves at a coast.
+    coast: Option<Box<CoastalWaves>>,
     /// Fraction by which bound waves increase the elevation (`BoundWaves::elevation_gain`).
     elevation_gain: f64,
     wave_count: usize,
@@ -153,6 +160,7 @@ impl StrongestWaves {
         Self {
             longest_step_m: 2.0 * sqrt_chop[0].max(sqrt_chop[1]) * displacement_m2.sum::<f64>().sqrt(),
             patches,
+            coast: None,
             elevation_gain: bound_waves.elevation_gain,
             wave_count: count,
             sqrt_chop,

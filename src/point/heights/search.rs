@@ -1,8 +1,8 @@
 //! Search for the water particle that the waves have displaced to a given point (inverse of the displacement).
 
 use super::StrongestWaves;
-use super::waves::{PatchCopyBlends, PatchCopySums, WaveSums};
-use crate::state::params::MAX_CASCADES;
+use super::sums::{MAX_PATCHES, PatchCopyBlends, PatchCopySums, WaveSums};
+use crate::coast::transfer::CoastalSums;
 use crate::waves::tiling::PatchCopy;
 
 /// Largest distance, m, between displaced particle and requested point at which the search has converged.
@@ -100,12 +100,14 @@ impl StrongestWaves {
     }
 
     /// Copies of each cascade's patch, with weights, that are blended at the undisplaced position `point - offset` (x,
-    /// z), m.
+    /// z), m, and the gains of a coast there.
     pub(super) fn patch_copy_blends(&self, point: [f64; 2], offset: [f64; 2]) -> PatchCopyBlends {
+        let at = [point[0] - offset[0], point[1] - offset[1]];
         let mut out = PatchCopyBlends::default();
-        for (out, patch) in out.iter_mut().zip(&self.patches) {
-            *out = patch.tiling.patch_copies_at([point[0] - offset[0], point[1] - offset[1]]);
+        for (out, patch) in out.copies.iter_mut().zip(&self.patches) {
+            *out = patch.tiling.patch_copies_at(at);
         }
+        out.gains = self.coast.as_ref().map(|coast| coast.transfer().gains(at));
         out
     }
 
@@ -125,13 +127,13 @@ impl StrongestWaves {
     /// `point - offset` (x, z), m, evaluated at this position.
     fn copy_sums(&self, point: [f64; 2], offset: [f64; 2], time: u32, blends: &PatchCopyBlends) -> PatchCopySums {
         let own = self.patch_copy_blends(point, offset);
-        let mut sums = [[None; 3]; MAX_CASCADES];
+        let mut sums = [[None; 3]; MAX_PATCHES];
         for (i, patch) in self.patches.iter().enumerate() {
             // The remainder is exact, so the phases keep their precision far from the origin.
             let at = [0, 1].map(|axis| (point[axis] % patch.side_m - offset[axis]) / patch.side_m);
-            for (copy, sums) in blends[i].iter().zip(&mut sums[i]) {
+            for (copy, sums) in blends.copies[i].iter().zip(&mut sums[i]) {
                 let same = |c: &PatchCopy| c.lattice_vertex == copy.lattice_vertex && c.weight > 0.0;
-                if copy.weight > 0.0 || own[i].iter().any(same) {
+                if copy.weight > 0.0 || own.copies[i].iter().any(same) {
                     *sums = Some(patch.wave_sums_in_patch(
                         at[0] + copy.shift_in_patches[0],
                         at[1] + copy.shift_in_patches[1],
@@ -140,7 +142,9 @@ impl StrongestWaves {
                 }
             }
         }
-        PatchCopySums { copy_blends: *blends, sums }
+        let at = [point[0] - offset[0], point[1] - offset[1]];
+        let coast = self.coast.as_ref().map_or_else(CoastalSums::default, |coast| coast.sums(at, time));
+        PatchCopySums { copy_blends: *blends, sums, coast }
     }
 }
 

@@ -1,11 +1,11 @@
-//! Selected waves of a planned sea, and the sums of their heights and displacements at a point.
+//! Selected waves of a planned sea, and the sums of their heights and displacements in a patch.
 
-use crate::state::params::MAX_CASCADES;
+use super::sums::WaveSums;
 use crate::waves::plan::{Cascade, Plan};
-use crate::waves::second_order::{CascadeBoundWaves, ProductFactors};
+use crate::waves::second_order::CascadeBoundWaves;
 use crate::waves::statistics::{initial_amplitude, lattice_indices};
 use crate::waves::table::{SpectrumTable, entry_index};
-use crate::waves::tiling::{PatchCopy, Tiling};
+use crate::waves::tiling::Tiling;
 use glam::DVec4;
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
@@ -19,6 +19,8 @@ pub(super) struct PatchWaves {
     pub(super) waves_by_four: Vec<FourWaves>,
     /// Bound waves of the second order of this cascade; its level is that of the selected waves.
     pub(super) bound: CascadeBoundWaves,
+    /// Whether these are waves of the first cascade that a coast transforms; the other waves of this cascade follow.
+    pub(super) is_offshore: bool,
 }
 
 /// Four travelling waves eta = Re[h e^{i (k.x - omega t)}], one per lane of the CPU's vector units. h is twice the
@@ -38,6 +40,24 @@ pub(super) struct FourWaves {
     cycles_per_period: [u32; 4],
 }
 
+impl FourWaves {
+    /// Elevation variance of a lane, m^2.
+    fn variance(&self, lane: usize) -> f64 {
+        0.5 * (self.amplitude_re_m[lane].powi(2) + self.amplitude_im_m[lane].powi(2))
+    }
+
+    /// Takes the wave of the lane `from` of other waves into the lane `to`.
+    fn set(&mut self, to: usize, other: &Self, from: usize) {
+        self.ix[to] = other.ix[from];
+        self.iz[to] = other.iz[from];
+        self.amplitude_re_m[to] = other.amplitude_re_m[from];
+        self.amplitude_im_m[to] = other.amplitude_im_m[from];
+        self.orbit_width_over_height[to] = other.orbit_width_over_height[from];
+        self.omega_rad_s[to] = other.omega_rad_s[from];
+        self.cycles_per_period[to] = other.cycles_per_period[from];
+    }
+}
+
 /// A wave that the seed of a plan generates: a candidate for the selection of the strongest waves.
 pub(super) struct CandidateWave {
     /// Index of the cascade to which the wave belongs.
@@ -53,6 +73,11 @@ impl CandidateWave {
         2.0 * (self.h0[0] * self.h0[0] + self.h0[1] * self.h0[1])
     }
 
+    /// Whether the wave belongs to the cascade `cascade_index`, and `has_index` holds for its lattice indices.
+    pub(super) fn is_of(&self, cascade_index: usize, has_index: impl Fn([i32; 2]) -> bool) -> bool {
+        self.cascade_index == cascade_index && has_index([self.ix, self.iz])
+    }
+
     /// Square of the wave number in units of the lattice spacing, ix^2 + iz^2.
     pub(super) fn squared_wave_vector_index(&self) -> u32 {
         (self.ix * self.ix + self.iz * self.iz) as u32
@@ -62,171 +87,6 @@ impl CandidateWave {
     pub(super) fn by_decreasing_variance(&self, other: &Self) -> Ordering {
         let place = |c: &Self| (c.cascade_index, c.iz, c.ix);
         other.variance().total_cmp(&self.variance()).then_with(|| place(self).cmp(&place(other)))
-    }
-}
-
-/// For each cascade, the three shifted copies of its patch blended at an undisplaced point, with their weights.
-pub(super) type PatchCopyBlends = [[PatchCopy; 3]; MAX_CASCADES];
-
-/// Sums over waves ([`WaveSums`]) at an undisplaced point for each single copy of every patch; `None` for copies that
-/// were not evaluated.
-pub(super) struct PatchCopySums {
-    pub(super) copy_blends: PatchCopyBlends,
-    pub(super) sums: [[Option<WaveSums>; 3]; MAX_CASCADES],
-}
-
-/// Sums over waves at an undisplaced point: elevation eta, horizontal displacement D (without the chop factors), their
-/// derivatives in space and time, and the potential of D.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct WaveSums {
-    /// Elevation eta of the surface above the still water, m.
-    pub(super) elevation_m: f64,
-    /// Slopes d eta/dx and d eta/dz of the elevation eta (m/m), without those that `blend_weight_slope` holds.
-    pub(super) slope: [f64; 2],
-    /// Horizontal displacement D = (Dx, Dz), m, before multiplication by the chop factors.
-    pub(super) displacement_m: [f64; 2],
-    /// Strain (dDx/dx, dDz/dz, dDx/dz = dDz/dx) of the horizontal displacement D, without that in
-    /// `blend_weight_strain`.
-    pub(super) strain: [f64; 3],
-    /// Orbital velocity (dDx/dt, d eta/dt, dDz/dt), m/s.
-    pub(super) orbital_velocity_m_s: [f64; 3],
-    /// Potential whose gradient is the horizontal displacement D, m^2.
-    pub(super) displacement_potential_m2: f64,
-    /// Slopes (d eta/dx, d eta/dz), to be added to `slope`, that arise because the weights of the blended patch copies
-    /// vary in space.
-    pub(super) blend_weight_slope: [f64; 2],
-    /// Strain (dDx/dx, dDz/dz, dDx/dz, dDz/dx), to be added to `strain`, that arises because the weights of the
-    /// blended patch copies vary in space.
-    pub(super) blend_weight_strain: [f64; 4],
-    /// Height of the bound waves of the second order, m, with its derivatives along x and z (m/m) and in time (m/s).
-    pub(super) bound_height_m: [f64; 4],
-}
-
-impl WaveSums {
-    /// Slopes d eta/dx and d eta/dz of the elevation.
-    pub(super) fn whole_slope(&self) -> [f64; 2] {
-        [0, 1].map(|axis| self.slope[axis] + self.blend_weight_slope[axis])
-    }
-
-    /// Strain (dDx/dx, dDz/dz, dDx/dz, dDz/dx) of the horizontal displacement.
-    pub(super) fn whole_strain(&self) -> [f64; 4] {
-        let [xx, zz, cross] = self.strain;
-        let [tile_xx, tile_zz, tile_xz, tile_zx] = self.blend_weight_strain;
-        [xx + tile_xx, zz + tile_zz, cross + tile_xz, cross + tile_zx]
-    }
-
-    /// Adds the sums over other waves at the same point.
-    fn add(&mut self, other: &Self) {
-        self.elevation_m += other.elevation_m;
-        add_scaled(&mut self.slope, 1.0, other.slope);
-        add_scaled(&mut self.displacement_m, 1.0, other.displacement_m);
-        add_scaled(&mut self.strain, 1.0, other.strain);
-        add_scaled(&mut self.orbital_velocity_m_s, 1.0, other.orbital_velocity_m_s);
-        self.displacement_potential_m2 += other.displacement_potential_m2;
-        add_scaled(&mut self.blend_weight_slope, 1.0, other.blend_weight_slope);
-        add_scaled(&mut self.blend_weight_strain, 1.0, other.blend_weight_strain);
-        add_scaled(&mut self.bound_height_m, 1.0, other.bound_height_m);
-    }
-
-    /// Adds the bound waves of a cascade whose waves have the sums `own`, with themselves and with those of longer
-    /// cascades (src/waves/second_order.rs). `longer` holds the latter times their factors; this cascade is added to it.
-    fn add_bound_waves(&mut self, own: &Self, bound: &CascadeBoundWaves, longer: &mut ScaledWaves) {
-        let waves = ScaledWaves::new(own, ProductFactors { elevation: 1.0, displacement: 1.0 });
-        let mut others = ScaledWaves::new(own, bound.own);
-        let half: f64 = 0.5 * dot(waves.value, others.value);
-        others.add(longer);
-        self.bound_height_m[0] += bound.level_m + half + dot(waves.value, longer.value);
-        let product =
-            |slope: [f64; 3], others_slope: [f64; 3]| dot(slope, others.value) + dot(waves.value, others_slope);
-        // The product rule: (w (o w / 2 + l))' = w' (o w + l) + w l'.
-        for axis in 0..2 {
-            self.bound_height_m[1 + axis] += product(waves.along[axis], longer.along[axis]);
-        }
-        self.bound_height_m[3] += product(waves.per_s, longer.per_s);
-        longer.add(&ScaledWaves::new(own, bound.with_shorter));
-    }
-
-    /// Adds the wave sums of one of the overlapping copies of the patch, multiplied by the copy's weight. By the
-    /// product rule, slope and strain also get the height and the displacement times the gradient of the weight.
-    fn add_weighted_copy(&mut self, copy_sums: &Self, copy: &PatchCopy) {
-        let (w, [wx, wz], [dx, dz]) = (copy.weight, copy.weight_gradient_per_m, copy_sums.displacement_m);
-        self.elevation_m += w * copy_sums.elevation_m;
-        add_scaled(&mut self.slope, w, copy_sums.slope);
-        add_scaled(&mut self.displacement_m, w, copy_sums.displacement_m);
-        add_scaled(&mut self.strain, w, copy_sums.strain);
-        add_scaled(&mut self.orbital_velocity_m_s, w, copy_sums.orbital_velocity_m_s);
-        self.displacement_potential_m2 += w * copy_sums.displacement_potential_m2;
-        add_scaled(&mut self.blend_weight_slope, copy_sums.elevation_m, copy.weight_gradient_per_m);
-        add_scaled(&mut self.blend_weight_strain, 1.0, [wx * dx, wz * dz, wz * dx, wx * dz]);
-    }
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn add_scaled<const N: usize>(sum: &mut [f64; N], factor: f64, term: [f64; N]) {
-    sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += factor * term);
-}
-
-impl PatchCopySums {
-    /// Returns the wave sums of all `patches`, blended with the weights in `blends`, and a flag that is false if the
-    /// sums of a copy with a weight above 0 are missing. `elevation_gain` is that of the bound waves.
-    pub(super) fn blended(
-        &self,
-        blends: &PatchCopyBlends,
-        patches: &[PatchWaves],
-        elevation_gain: f64,
-    ) -> (WaveSums, bool) {
-        let (mut all, mut complete) = (WaveSums::default(), true);
-        let mut longer = ScaledWaves { value: [elevation_gain, 0.0, 0.0], ..ScaledWaves::default() };
-        for (((blend, known), sums), patch) in blends.iter().zip(&self.copy_blends).zip(&self.sums).zip(patches) {
-            let mut own = WaveSums::default();
-            for copy in blend.iter().filter(|c| c.weight > 0.0) {
-                match known
-                    .iter()
-                    .zip(sums)
-                    .find_map(|(k, sums)| sums.as_ref().filter(|_| k.lattice_vertex == copy.lattice_vertex))
-                {
-                    Some(sums) => own.add_weighted_copy(sums, copy),
-                    None => complete = false,
-                }
-            }
-            all.add(&own);
-            all.add_bound_waves(&own, &patch.bound, &mut longer);
-        }
-        (all, complete)
-    }
-}
-
-/// Elevation and horizontal displacement (eta, Dx, Dz) at a point, each times a factor, with their derivatives along x
-/// and z and in time.
-#[derive(Clone, Copy, Default)]
-struct ScaledWaves {
-    value: [f64; 3],
-    along: [[f64; 3]; 2],
-    per_s: [f64; 3],
-}
-
-impl ScaledWaves {
-    /// The waves in `sums`, with the factors p and q on elevation and displacement.
-    fn new(sums: &WaveSums, factors: ProductFactors) -> Self {
-        let (p, q) = (factors.elevation, factors.displacement);
-        let scaled = |eta: f64, [x, z]: [f64; 2]| [p * eta, q * x, q * z];
-        let [xx, zz, xz, zx] = sums.whole_strain();
-        let [sx, sz] = sums.whole_slope();
-        let [ux, uy, uz] = sums.orbital_velocity_m_s;
-        Self {
-            value: scaled(sums.elevation_m, sums.displacement_m),
-            along: [scaled(sx, [xx, zx]), scaled(sz, [xz, zz])],
-            per_s: scaled(uy, [ux, uz]),
-        }
-    }
-
-    fn add(&mut self, other: &Self) {
-        add_scaled(&mut self.value, 1.0, other.value);
-        add_scaled(&mut self.per_s, 1.0, other.per_s);
-        self.along.iter_mut().zip(other.along).for_each(|(sum, term)| add_scaled(sum, 1.0, term));
     }
 }
 
@@ -260,7 +120,44 @@ impl PatchWaves {
             dk_rad_m: cascade.dk(),
             waves_by_four: blocks,
             bound,
+            is_offshore: false,
         }
+    }
+
+    /// Parts the waves into those for whose lattice indices (along x and z) `is_first` holds, and the others, each with its
+    /// share of the level of the bound waves.
+    pub(super) fn parted(&self, is_first: impl Fn([i32; 2]) -> bool) -> [Self; 2] {
+        let mut parts: [Vec<FourWaves>; 2] = Default::default();
+        let (mut counts, mut variances) = ([0; 2], [0.0; 2]);
+        for block in &self.waves_by_four {
+            for lane in (0..4).filter(|lane| block.variance(*lane) > 0.0) {
+                let part = usize::from(!is_first([block.ix[lane] as i32, block.iz[lane] as i32]));
+                let to = counts[part] % 4;
+                if to == 0 {
+                    parts[part].push(FourWaves::default());
+                }
+                parts[part][counts[part] / 4].set(to, block, lane);
+                counts[part] += 1;
+                variances[part] += block.variance(lane);
+            }
+        }
+        let all = (variances[0] + variances[1]).max(f64::MIN_POSITIVE);
+        let [first, others] = parts;
+        let part = |waves_by_four: Vec<FourWaves>, variance: f64| {
+            let bound = CascadeBoundWaves { level_m: self.bound.level_m * variance / all, ..self.bound };
+            Self { waves_by_four, bound, ..*self }
+        };
+        [part(first, variances[0]), part(others, variances[1])]
+    }
+
+    /// Number of the waves.
+    pub(super) fn wave_count(&self) -> usize {
+        self.waves_by_four.iter().map(|block| (0..4).filter(|lane| block.variance(*lane) > 0.0).count()).sum()
+    }
+
+    /// Elevation variance of the waves, m^2.
+    pub(super) fn variance_m2(&self) -> f64 {
+        self.waves_by_four.iter().map(|block| (0..4).map(|lane| block.variance(lane)).sum::<f64>()).sum()
     }
 
     /// Sums over the patch's waves at the undisplaced point (`x`, `z`), in units of the patch's side; `time` counts
