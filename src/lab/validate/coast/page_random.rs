@@ -126,11 +126,11 @@ pub fn add_run_up(page: &mut MarkdownPage) -> Result<(), String> {
         let mut row = vec![format_number(slope, 2)];
         for case in cases.iter().filter(|c| c.slope == slope) {
             let RunUpCase { run_up_m, expected_m, .. } = case;
-            row.push(format!("{run_up_m:.3} ({:+.1} %)", 100.0 * (run_up_m / expected_m - 1.0)));
+            row.push(format!("{run_up_m:.3} ({expected_m:.3})"));
         }
         rows.push(row);
     }
-    let seas = HEIGHTS_M.iter().zip(PERIODS_S).map(|(hs_m, tp_s)| format!(" | R2 for {hs_m} m, {tp_s} s, m"));
+    let seas = HEIGHTS_M.iter().zip(PERIODS_S).map(|(hs_m, tp_s)| format!(" | R2 for {hs_m} m, {tp_s} s, m (theory)"));
     page.table(&format!("slope{}", seas.collect::<String>()), &rows);
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! The page's sections on structures: breakwater, gap, pile.
 
-use super::structures::{self, AmplitudeFigure, GAP_WIDTHS, PILE_RADIUS_M, WALL_PERIOD_S};
+use super::structures::{self, AmplitudeFigure, GAP_WIDTHS, LEE_M, PILE_RADIUS_M, WALL_CELL_M, WALL_PERIOD_S};
 use crate::lab::figure::{Axis, Figure, FigureSeries, LegendCorner, SeriesData};
 use crate::lab::page::MarkdownPage;
 use crate::lab::validate::cells::format_number;
@@ -57,9 +57,9 @@ pub fn add_walls(page: &mut MarkdownPage) -> Result<(), String> {
     page.heading(3, "Breakwater and gap");
     page.paragraph(&format!(
         "Waves of {WALL_PERIOD_S:.0} s behind a thin, fully reflecting wall in 10 m of water, elliptic solution on points \
-         1.5 m apart. Theory behind a semi-infinite breakwater is Sommerfeld's (1896) solution in double precision, as \
+         {WALL_CELL_M} m apart. Theory behind a semi-infinite breakwater is Sommerfeld's (1896) solution in double precision, as \
          Penney and Price (1952) use it. Penney and Price's sum for a gap is an approximation; here theory is the exact \
-         solution of the integral equation over the gap. All points from 9 m behind the wall are compared; the amplitude \
+         solution of the integral equation over the gap. All points from {LEE_M} m behind the wall are compared; the amplitude \
          of the arriving waves is 1."
     ));
     let (mut figures, mut rows) = (Vec::new(), Vec::new());

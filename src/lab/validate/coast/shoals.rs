@@ -5,7 +5,7 @@ use super::berkhoff::{ARRIVING_MM, SECTIONS};
 use super::plane::{wave, without_losses};
 use super::structures::{AmplitudeFigure, compare, solve};
 use super::theory::{self, wave_number};
-use crate::coast::{Bathymetry, Dissipation, Options, elliptic, parabolic};
+use crate::coast::{Bathymetry, Dissipation, Field, Incident, Options, elliptic, parabolic};
 use std::f64::consts::TAU;
 
 /// Radius of the island at the waterline and of the shoal around it, and the depth beyond, m.
@@ -74,16 +74,17 @@ pub fn slope_reflection(width_m: f64) -> f64 {
     theory::slope(TAU / SLOPE_PERIOD_S, depth, [0.0, width_m], GRAVITY_M_S2).0
 }
 
-/// Sign of the y axis of the measurements in the frame of [`elliptic_shoal`].
-const MEASURED_Y_SIGN: f64 = 1.0;
+/// Times that the solution with the speed of high waves is repeated.
+const HEIGHT_ROUNDS: usize = 12;
 
 /// A measured section of the elliptic shoal. All amplitudes are fractions of that of the arriving waves.
 #[derive(Clone, Debug)]
 pub struct ShoalSection {
     /// Its number, 1 to 8.
     pub number: usize,
-    /// Place along the section, m; amplitude by the parabolic and by the fine elliptic solution.
-    pub points: Vec<[f64; 3]>,
+    /// Place along the section, m; amplitude by the parabolic and by the fine elliptic solution, and by the parabolic one
+    /// with the speed of high waves.
+    pub points: Vec<[f64; 4]>,
     /// Place along the section, m, and measured amplitude.
     pub measured: Vec<[f64; 2]>,
 }
@@ -94,7 +95,8 @@ impl ShoalSection {
         agreement(self.points.iter().map(|p| [p[1], p[2]]))
     }
 
-    /// Index of agreement of a solution (1 parabolic, 2 elliptic) with the measurements.
+    /// Index of agreement of a solution (1 parabolic, 2 elliptic, 3 parabolic with the speed of high waves) with the
+    /// measurements.
     pub fn agreement_with_measured(&self, solution: usize) -> f64 {
         agreement(self.measured.iter().filter_map(|[place, amplitude]| {
             let point = self.points.iter().find(|p| (p[0] - place).abs() < 1e-6)?;
@@ -124,6 +126,47 @@ fn berkhoff_depth_m(x: f64, y: f64) -> f64 {
     (slope - rise).max(0.07)
 }
 
+/// Depth in which a wave of the linear theory is as long as a wave of the amplitude `amplitude_m` (m) in water of `depth_m`
+/// (m), by the dispersion relation of Kirby and Dalrymple 1986: omega^2 = g k (1 + f1 e^2 D) tanh(k h + f2 e) with
+/// e = k a, f1 = tanh^5(k h), f2 = (k h / sinh(k h))^4 and D of Stokes' third order.
+fn depth_of_same_length_m(omega: f64, depth_m: f64, amplitude_m: f64) -> f64 {
+    let square = |k: f64| {
+        let (kh, e) = (k * depth_m, k * amplitude_m);
+        let d = ((4.0 * kh).cosh() + 8.0 - 2.0 * kh.tanh().powi(2)) / (8.0 * kh.sinh().powi(4));
+        let (f1, f2) = (kh.tanh().powi(5), (kh / kh.sinh()).powi(4));
+        GRAVITY_M_S2 * k * (1.0 + f1 * e * e * d) * (kh + f2 * e).tanh()
+    };
+    let (mut low, mut high) = (0.0, 1.01 * wave_number(omega, depth_m, GRAVITY_M_S2));
+    for _ in 0..60 {
+        let k = 0.5 * (low + high);
+        if square(k) < omega * omega { low = k } else { high = k }
+    }
+    (omega * omega / (GRAVITY_M_S2 * low)).min(1.0 - 1e-9).atanh() / low
+}
+
+/// The parabolic solution over a bed with waves of the amplitude `arriving_m` (m), whose speed grows with their height:
+/// the solution is repeated over the depths in which waves of the linear theory have that speed.
+fn solve_with_height(bathymetry: &Bathymetry, incident: Incident, arriving_m: f64, options: &Options) -> Field {
+    let mut depths = bathymetry.clone();
+    let mut amplitude_m = vec![arriving_m; depths.depth_m.len()];
+    let mut round = 0;
+    loop {
+        for ((depth, amplitude_m), bed_m) in depths.depth_m.iter_mut().zip(&amplitude_m).zip(&bathymetry.depth_m) {
+            *depth = depth_of_same_length_m(incident.omega_rad_s, f64::from(*bed_m), *amplitude_m) as f32;
+        }
+        let (field, _) = parabolic::solve(&depths, &[incident], options);
+        round += 1;
+        if round == HEIGHT_ROUNDS {
+            return field;
+        }
+        for (index, amplitude_m) in amplitude_m.iter_mut().enumerate() {
+            let solved = arriving_m * field.amplitude(0, index % field.columns, index / field.columns).modulus();
+            // The mean with the round before, so that the rounds do not swing.
+            *amplitude_m = 0.5 * (*amplitude_m + solved);
+        }
+    }
+}
+
 /// The eight sections of the elliptic shoal of Berkhoff, Booij and Radder 1982: the parabolic solution on points 25 cm
 /// apart, and the elliptic one on points 12.5 cm apart.
 pub fn elliptic_shoal() -> Vec<ShoalSection> {
@@ -135,9 +178,11 @@ pub fn elliptic_shoal() -> Vec<ShoalSection> {
     let (marched, _) = parabolic::solve(&coarse, &[incident], &options);
     let beaches = vec![0.0; fine.depth_m.len()];
     let exact = elliptic::solve(&fine, &[incident], &Dissipation::none(&fine), &beaches, &options);
+    let high = solve_with_height(&coarse, incident, 1e-3 * ARRIVING_MM, &options);
     let point = |(x, y): (f64, f64), place: f64| {
         let [i, j] = [x, y].map(|v| ((v + 10.0) / 0.25).round() as usize);
-        [place, marched.amplitude(0, i, j).modulus(), exact.amplitude(0, 2 * i, 2 * j).modulus()]
+        let at = |field: &Field, i: usize, j: usize| field.amplitude(0, i, j).modulus();
+        [place, at(&marched, i, j), at(&exact, 2 * i, 2 * j), at(&high, i, j)]
     };
     // Sections 1 to 5 run across the waves behind the shoal, 6 to 8 along them.
     let across = [1.0, 3.0, 5.0, 7.0, 9.0].map(|x| {
@@ -146,11 +191,10 @@ pub fn elliptic_shoal() -> Vec<ShoalSection> {
     });
     let along = [-2.0, 0.0, 2.0].map(|y| {
         let places = (0..=44).map(|n| 0.25 * f64::from(n));
-        places.map(|x| point((x, MEASURED_Y_SIGN * y), x)).collect::<Vec<_>>()
+        places.map(|x| point((x, y), x)).collect::<Vec<_>>()
     });
-    let section = |(index, points): (usize, Vec<[f64; 3]>)| {
-        let sign = if index < 5 { MEASURED_Y_SIGN } else { 1.0 };
-        let measured = SECTIONS[index].iter().map(|[place, mm]| [sign * place, mm / ARRIVING_MM]).collect();
+    let section = |(index, points): (usize, Vec<[f64; 4]>)| {
+        let measured = SECTIONS[index].iter().map(|[place, mm]| [*place, mm / ARRIVING_MM]).collect();
         ShoalSection { number: index + 1, points, measured }
     };
     across.into_iter().chain(along).enumerate().map(section).collect()

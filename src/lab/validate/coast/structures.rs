@@ -14,12 +14,12 @@ pub const WALL_PERIOD_S: f64 = 6.0;
 pub const PILE_RADIUS_M: f64 = 20.0;
 /// Width of the gap in wavelengths.
 pub const GAP_WIDTHS: [f64; 2] = [1.0, 2.0];
-/// Cells of the grids of the walls, m, and the column of the wall.
-const WALL_CELL_M: f64 = 1.5;
-const WALL_COLUMN: usize = 50;
-/// Cells behind a wall from which on the figures are compared, and the number of columns.
-const WALL_CELLS_BEHIND: usize = 6;
-const WALL_COLUMNS: usize = 141;
+/// Distance of the points of the grids with walls, m.
+pub const WALL_CELL_M: f64 = 1.25;
+/// Column of the wall, and number of columns.
+const WALL_COLUMNS: [usize; 2] = [60, 169];
+/// Distance behind a wall from which on the figures are compared, m.
+pub const LEE_M: f64 = 8.5;
 
 /// The amplitude at one point of a figure, as a fraction of that of the arriving wave.
 #[derive(Clone, Copy, Debug)]
@@ -109,45 +109,42 @@ fn wall_wave_number() -> f64 {
     wave_number(wave(WALL_PERIOD_S, 0.0).omega_rad_s, DEPTH_M, GRAVITY_M_S2)
 }
 
-/// The lee of a thin wall along x = 0, y > 0 (Sommerfeld 1896; Penney and Price 1952), from 9 m behind it, for waves
+/// The lee of a thin wall along x = 0, y > 0 (Sommerfeld 1896; Penney and Price 1952), from [`LEE_M`] behind it, for waves
 /// that travel at `direction_deg` (degrees).
 pub fn breakwater(direction_deg: f64) -> AmplitudeFigure {
-    let head = 60;
+    let ([wall, columns], head) = (WALL_COLUMNS, 72);
     let at_wall =
-        |x: f64, y: f64| (x / WALL_CELL_M - WALL_COLUMN as f64).abs() < 0.5 && y / WALL_CELL_M > f64::from(head) - 0.25;
+        |x: f64, y: f64| (x / WALL_CELL_M - wall as f64).abs() < 0.5 && y / WALL_CELL_M > f64::from(head) - 0.25;
     let depth = |x: f64, y: f64| if at_wall(x, y) { -3.0 } else { DEPTH_M };
-    let bathymetry = Bathymetry::from_fn(WALL_COLUMNS, 121, WALL_CELL_M, depth);
+    let bathymetry = Bathymetry::from_fn(columns, 145, WALL_CELL_M, depth);
     let incident = wave(WALL_PERIOD_S, direction_deg);
     let field = solve(&bathymetry, incident, 1.0);
     let k = wall_wave_number();
     // The wall ends halfway between the last point of water and the first of land.
-    let origin_m = [WALL_COLUMN as f64 * WALL_CELL_M, (f64::from(head) - 0.5) * WALL_CELL_M];
-    let lee = (WALL_CELLS_BEHIND as f64 - 0.5) * WALL_CELL_M;
+    let origin_m = [wall as f64 * WALL_CELL_M, (f64::from(head) - 0.5) * WALL_CELL_M];
     compare(&field, std::f64::consts::TAU / k, origin_m, |x, y| {
-        (x > lee).then(|| theory::breakwater(k, x, y, incident.direction_rad))
+        (x > LEE_M).then(|| theory::breakwater(k, x, y, incident.direction_rad))
     })
 }
 
-/// The lee of a thin wall along x = 0 with a gap around y = 0, from 9 m behind it. The gap is about `widths` wavelengths
+/// The lee of a thin wall along x = 0 with a gap around y = 0, from [`LEE_M`] behind it. The gap is about `widths` wavelengths
 /// wide; returns its width in wavelengths, too.
 pub fn gap(widths: f64, direction_deg: f64) -> (AmplitudeFigure, f64) {
     let k = wall_wave_number();
     let wavelength_m = std::f64::consts::TAU / k;
     // An odd number of points of water lies around the middle row.
-    let (rows, middle) = (161, 80.0);
+    let ([wall, columns], rows, middle) = (WALL_COLUMNS, 193, 96.0);
     let half = (0.5 * widths * wavelength_m / WALL_CELL_M - 0.5).round();
     let width_m = (2.0 * half + 1.0) * WALL_CELL_M;
-    let at_wall = |x: f64, y: f64| {
-        (x / WALL_CELL_M - WALL_COLUMN as f64).abs() < 0.5 && (y / WALL_CELL_M - middle).abs() > half + 0.25
-    };
+    let at_wall =
+        |x: f64, y: f64| (x / WALL_CELL_M - wall as f64).abs() < 0.5 && (y / WALL_CELL_M - middle).abs() > half + 0.25;
     let depth = |x: f64, y: f64| if at_wall(x, y) { -3.0 } else { DEPTH_M };
-    let bathymetry = Bathymetry::from_fn(WALL_COLUMNS, rows, WALL_CELL_M, depth);
+    let bathymetry = Bathymetry::from_fn(columns, rows, WALL_CELL_M, depth);
     let incident = wave(WALL_PERIOD_S, direction_deg);
     let field = solve(&bathymetry, incident, 1.0);
     let exact = Gap::new(k, width_m, incident.direction_rad);
-    let lee = (WALL_CELLS_BEHIND as f64 - 0.5) * WALL_CELL_M;
-    let origin_m = [WALL_COLUMN as f64 * WALL_CELL_M, middle * WALL_CELL_M];
-    (compare(&field, wavelength_m, origin_m, |x, y| (x > lee).then(|| exact.amplitude(x, y))), width_m / wavelength_m)
+    let origin_m = [wall as f64 * WALL_CELL_M, middle * WALL_CELL_M];
+    (compare(&field, wavelength_m, origin_m, |x, y| (x > LEE_M).then(|| exact.amplitude(x, y))), width_m / wavelength_m)
 }
 
 /// Waves around a vertical pile of the radius [`PILE_RADIUS_M`] (MacCamy and Fuchs 1954), from one cell beside it.
