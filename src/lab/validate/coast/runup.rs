@@ -63,6 +63,7 @@ fn run_up_m(slope: f64, hs_m: f64, tp_s: f64) -> Result<f64, String> {
     let cell_m = 1.1 * depth_m / slope / (columns - 1) as f64;
     let beach = PlacedCoast {
         title: "Plane beach".into(),
+        built_in: None,
         about: String::new(),
         bathymetry: Bathymetry::from_fn(columns, rows, cell_m, |x, _| depth_m - slope * x),
         structures: Vec::new(),
