@@ -1,4 +1,5 @@
-//! Heights at a coast (`point::StrongestWaves::with_coast`) against the sum over all waves, written from the definitions.
+//! Heights at a coast (`point::StrongestWaves::with_coast`) against the sum over all waves, written from the
+//! definitions.
 
 mod common;
 
@@ -38,8 +39,8 @@ fn cells(transfer: &Transfer, at: [f64; 2]) -> [f64; 2] {
     [x * cos + z * sin, z * cos - x * sin].map(|v| v / transfer.cell_m)
 }
 
-/// Elevation (m) of the coastal waves at a place of the grid, in cells: each envelope is bilinear, and turns with its group's
-/// carrier.
+/// Elevation (m) of the coastal waves at a place of the grid, in cells: each envelope is bilinear, and turns with its
+/// group's carrier.
 fn coastal_elevation(plan: &Plan, transfer: &Transfer, [gx, gy]: [f64; 2], t_s: f64) -> f64 {
     let cascade = &plan.cascades[0];
     let table = SpectrumTable::new(plan, cascade);

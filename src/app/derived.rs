@@ -83,8 +83,8 @@ impl DerivedSeaData {
         self.resolved.get_or_init(|| LatticeStatistics::new(&self.plan, self.theoretical_statistics.variance_m2))
     }
 
-    /// The waves of the sea with the largest variance, at a coast with what that makes of them. Their sum, computed on the
-    /// CPU, approximates the height of the sea, m, at any point and time.
+    /// The waves of the sea with the largest variance, at a coast with what that makes of them. Their sum, computed
+    /// on the CPU, approximates the height of the sea, m, at any point and time.
     pub fn strongest_waves(&self) -> &StrongestWaves {
         let select = || {
             let waves = HullWaves::new(&self.plan);

@@ -49,8 +49,8 @@ impl Dissipation {
         }
     }
 
-    /// Stores the sea `energy` at the rows of `column` with the depths `depth_m`, and how it breaks. `factors` are those
-    /// of breaking on the amplitudes since the column before.
+    /// Stores the sea `energy` at the rows of `column` with the depths `depth_m`, and how it breaks. `factors` are
+    /// those of breaking on the amplitudes since the column before.
     pub(super) fn record(
         &mut self,
         column: usize,

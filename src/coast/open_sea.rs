@@ -70,8 +70,8 @@ impl Arrival {
     }
 }
 
-/// Reflection coefficient of each point of land: that of a structure beside it, else by the slope of the shore, for a sea
-/// of the significant height `hs_m` (m) and the peak period `tp_s` (s).
+/// Reflection coefficient of each point of land: that of a structure beside it, else by the slope of the shore, for a
+/// sea of the significant height `hs_m` (m) and the peak period `tp_s` (s).
 pub fn reflection(coast: &PlacedCoast, hs_m: f64, tp_s: f64, gravity_m_s2: f64) -> Vec<f32> {
     let wavelength_m = gravity_m_s2 * tp_s * tp_s / TAU;
     let mut list = elliptic::reflection_by_slope(&coast.bathymetry, hs_m, wavelength_m);
@@ -92,8 +92,8 @@ pub fn edge_depth_m(coast: &PlacedCoast) -> f64 {
     wet.iter().sum::<f64>() / wet.len().max(1) as f64
 }
 
-/// Median slope of the shore where the first land from the sea meets the water, height over length, between the points on
-/// both sides of the waterline. `None` if there is none.
+/// Median slope of the shore where the first land from the sea meets the water, height over length, between the
+/// points on both sides of the waterline. `None` if there is none.
 pub fn foreshore_slope(coast: &PlacedCoast) -> Option<f64> {
     let grid = &coast.bathymetry;
     let slope = |j: usize| {

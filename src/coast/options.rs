@@ -11,7 +11,8 @@ pub struct Options {
     pub losses: Losses,
     /// Smallest depth with waves, m: shallower water counts as land.
     pub min_depth_m: f64,
-    /// Largest phase (rad) of a wave of the open sea in a step of the parabolic solver: a shorter wave gets finer cells.
+    /// Largest phase (rad) of a wave of the open sea in a step of the parabolic solver: a shorter wave gets finer
+    /// cells.
     pub max_phase_per_cell_rad: f64,
     /// Number of threads that share the work; one where the system has no threads.
     pub threads: usize,

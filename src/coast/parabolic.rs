@@ -164,8 +164,8 @@ impl ParabolicSolver {
     }
 }
 
-/// Marches single waves through a sea whose breaking is known. All waves lose the same fraction of their energy, so a wave
-/// that was marched alone is what it is among the others.
+/// Marches single waves through a sea whose breaking is known. All waves lose the same fraction of their energy, so a
+/// wave that was marched alone is what it is among the others.
 pub struct LoneMarch {
     bathymetry: Bathymetry,
     options: Options,

@@ -150,8 +150,8 @@ impl EllipticSolver {
         }
     }
 
-    /// Solves as many bands of frequencies as there are threads; with one thread, does some milliseconds of work. Returns
-    /// the fraction of the work that is done, 1 at the end.
+    /// Solves as many bands of frequencies as there are threads; with one thread, does some milliseconds of work.
+    /// Returns the fraction of the work that is done, 1 at the end.
     pub fn advance(&mut self) -> f64 {
         if self.solved >= self.bins.len() {
             return 1.0;
@@ -196,7 +196,8 @@ impl EllipticSolver {
         }
     }
 
-    /// The components that were solved since the last call, with their indices. They are missing in the field at the end.
+    /// The components that were solved since the last call, with their indices. They are missing in the field at the
+    /// end.
     pub fn take_solved(&mut self) -> Vec<(usize, ComponentField)> {
         let components = &mut self.field.components;
         let take = |index: usize| {

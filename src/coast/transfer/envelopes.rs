@@ -67,8 +67,8 @@ impl Envelopes {
         }
     }
 
-    /// Continues a wave over the shore: at each of its points the envelope is the mean of those around that are nearer to the
-    /// open water. So the wave goes on as its carrier does.
+    /// Continues a wave over the shore: at each of its points the envelope is the mean of those around that are
+    /// nearer to the open water. So the wave goes on as its carrier does.
     pub(super) fn continue_ashore(&mut self, index: usize, wave: &Wave, shore: &Shore) {
         let out = &mut self.packed[index * self.points..(index + 1) * self.points];
         for place in &shore.places {

@@ -35,7 +35,8 @@ struct WaveInTime {
     orbit_m: f64,
 }
 
-/// Sums over the waves of a transfer at a point of the world, without their weight. Vectors have the components x and z.
+/// Sums over the waves of a transfer at a point of the world, without their weight. Vectors have the components x and
+/// z.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CoastalSums {
     /// The sum Z of h0 T e^(-i omega t), m, of which the elevation is 2 Re Z and the local wave height 4 |Z|: real and
@@ -108,8 +109,8 @@ impl CoastalWaves {
         &self.transfer
     }
 
-    /// Sums at the point `at_m` (x, z) of the world, m, at the time `period_fraction` (2^32 per period of the sea). They are 0
-    /// outside the grid, where the waves have no weight.
+    /// Sums at the point `at_m` (x, z) of the world, m, at the time `period_fraction` (2^32 per period of the sea).
+    /// They are 0 outside the grid, where the waves have no weight.
     pub fn sums(&self, at_m: [f64; 2], period_fraction: u32) -> CoastalSums {
         let place = self.transfer.place(at_m);
         let mut sum = Accumulated::default();
@@ -159,8 +160,8 @@ struct Accumulated {
 }
 
 impl Accumulated {
-    /// Adds the waves of a group: their fields at the corners of a cell, and twice the carrier at the point with its wave
-    /// numbers.
+    /// Adds the waves of a group: their fields at the corners of a cell, and twice the carrier at the point with its
+    /// wave numbers.
     fn add(&mut self, fields: &[[Complex; 4]; 4], carrier: Complex, k: [f64; 2], place: &Place, cell_m: f64) {
         let [p, q] = place.part;
         // Value and derivatives (x, y, xy) of a bilinear field times the carrier.

@@ -1,9 +1,9 @@
 //! Groups of waves that share a carrier.
 //!
-//! Between the points of the grid, envelopes are interpolated linearly. For a wave whose phase differs from that of its
-//! carrier by delta between two points, this loses delta^2 / 8 of the amplitude half-way. So the groups are made small in
-//! the wave numbers, at the edge of the grid and in shallow water: the group with the largest loss is divided again and
-//! again.
+//! Between the points of the grid, envelopes are interpolated linearly. For a wave whose phase differs from that of
+//! its carrier by delta between two points, this loses delta^2 / 8 of the amplitude half-way. So the groups are made
+//! small in the wave numbers, at the edge of the grid and in shallow water: the group with the largest loss is
+//! divided again and again.
 
 use super::WaveGroup;
 use crate::coast::bathymetry::Bathymetry;
@@ -13,7 +13,8 @@ use crate::coast::local_wave::LocalWave;
 
 /// Depth, m, at which the waves of a group must have similar wave numbers besides those at the edge of the grid.
 const SHALLOW_M: f64 = 2.5;
-/// Error of the interpolation, relative to the standard deviation of the sea, below which groups are not divided further.
+/// Error of the interpolation, relative to the standard deviation of the sea, below which groups are not divided
+/// further.
 const SMALL_ERROR: f64 = 2e-4;
 
 /// Divides `waves`, those at the edge of the grid with their variance in the open sea (m^2), into at most `max_groups`
@@ -87,9 +88,9 @@ impl Spread {
     }
 }
 
-/// The depth of each column over which the carriers refract, m: that in which a long wave has the mean wave number of the
-/// column's water of at least `least_m`; `least_m` where there is none. So a carrier is not drawn together in water that is
-/// hardly there, and goes on over land.
+/// The depth of each column over which the carriers refract, m: that in which a long wave has the mean wave number of
+/// the column's water of at least `least_m`; `least_m` where there is none. So a carrier is not drawn together in
+/// water that is hardly there, and goes on over land.
 pub(super) fn carrier_profile_m(grid: &Bathymetry, least_m: f64) -> Vec<f64> {
     let column = |i: usize| {
         let wet = (0..grid.rows).map(|j| grid.at(i, j)).filter(|depth_m| *depth_m >= least_m);

@@ -1,10 +1,10 @@
-//! What a coast makes of the open sea, in the form in which the GPU and [`Heights`](crate::point::heights) sum it at any
-//! time.
+//! What a coast makes of the open sea, in the form in which the GPU and [`Heights`](crate::point::heights) sum it at
+//! any time.
 //!
 //! A transfer holds the strongest waves of the first cascade that travel towards the land. Each is a wave of the
-//! cascade's lattice with the amplitude h0 (`shaders/waves/spectrum.wgsl`). In the open sea its elevation is
-//! 2 Re[h0 e^(i k x - i omega t)]. Over the coast it is 2 Re[h0 T(x) e^(-i omega t)] with the transfer function T, which
-//! the mild-slope equation gives. The elevation near the coast is the sum of these waves, plus all other waves of the
+//! cascade's lattice with the amplitude h0 (`shaders/waves/spectrum.wgsl`). In the open sea its elevation is 2 Re[h0
+//! e^(i k x - i omega t)]. Over the coast it is 2 Re[h0 T(x) e^(-i omega t)] with the transfer function T, which the
+//! mild-slope equation gives. The elevation near the coast is the sum of these waves, plus all other waves of the
 //! open sea times `SeaAtPoint::short_gain`.
 //!
 //! T turns quickly in space, so it is stored against the phase of a carrier: T = envelope e^(i phase). Waves of similar
@@ -49,7 +49,8 @@ pub struct Transfer {
     pub waves: Vec<TransferWave>,
     /// The groups.
     pub groups: Vec<WaveGroup>,
-    /// Envelopes of the transfer functions as pairs of half floats (real part in the low 16 bits): \[wave\]\[row\]\[column\].
+    /// Envelopes of the transfer functions as pairs of half floats (real part in the low 16 bits):
+    /// \[wave\]\[row\]\[column\].
     pub envelopes: Vec<u32>,
     /// What else is known at each point: \[row\]\[column\].
     pub points: Vec<SeaAtPoint>,
@@ -66,7 +67,8 @@ pub struct TransferLimits {
     pub max_groups: usize,
     /// Number of points along the longer side.
     pub points: usize,
-    /// Number of points along the longer side where there are structures: the envelopes of reflected waves turn quickly.
+    /// Number of points along the longer side where there are structures: the envelopes of reflected waves turn
+    /// quickly.
     pub points_with_structures: usize,
     /// Energy losses.
     pub losses: Losses,
@@ -130,8 +132,8 @@ pub struct SeaAtPoint {
     pub depth_m: f32,
     /// Factor on the amplitude of all waves that the transfer does not hold: 1 in the open sea, 0 on land.
     pub short_gain: f32,
-    /// Weight of the transferred waves, 0 to 1. The same waves of the open sea have the rest: 1 within the coast, falling
-    /// to 0 at the sides where the open sea goes on.
+    /// Weight of the transferred waves, 0 to 1. The same waves of the open sea have the rest: 1 within the coast,
+    /// falling to 0 at the sides where the open sea goes on.
     pub weight: f32,
     /// Wave height from which the waves of this sea break here, m; infinite where none break. The fraction of waves
     /// that are higher is that of Battjes and Janssen 1978.

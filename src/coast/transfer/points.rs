@@ -14,8 +14,8 @@ const FADE: f64 = 0.06;
 const MIN_FADE_CELLS: f64 = 4.0;
 /// Largest factor on the short waves.
 const MAX_SHORT_GAIN: f64 = 1.3;
-/// Depth, m, above which waves outside the transfer have their height, if the transfer has none that tell what becomes of
-/// them.
+/// Depth, m, above which waves outside the transfer have their height, if the transfer has none that tell what
+/// becomes of them.
 const UNTOUCHED_M: f64 = 0.5;
 /// Largest fraction of waves that break.
 const MAX_BREAKING: f64 = 0.97;
@@ -70,7 +70,8 @@ pub(super) fn points(
     (0..grid.depth_m.len()).map(point).collect()
 }
 
-/// Weight of the transferred waves: 0 at the side of the open sea and at both lateral sides, 1 inside and at the land's.
+/// Weight of the transferred waves: 0 at the side of the open sea and at both lateral sides, 1 inside and at the
+/// land's.
 fn weight(grid: &Bathymetry, point: usize) -> f64 {
     let longer = grid.columns.max(grid.rows) as f64;
     let width = (FADE * longer).max(MIN_FADE_CELLS);
@@ -99,10 +100,10 @@ fn short_gain(setup: &Setup, short: &ShortWaves<'_>) -> Vec<f64> {
     out
 }
 
-/// Mean level of the water, m, by the balance of its slope with the radiation stress (Longuet-Higgins and Stewart 1962):
-/// dS/dx = -(h + level) dlevel/dx with S = m0 (n (1 + cos^2) - 1/2), in units in which density and gravity are 1. It is
-/// integrated along each row from the set-down of the open sea, -m0 k / sinh(2 k h), and again behind land, from 0;
-/// currents along the shore and flow between the rows are left out. Land has 0.
+/// Mean level of the water, m, by the balance of its slope with the radiation stress (Longuet-Higgins and Stewart
+/// 1962): dS/dx = -(h + level) dlevel/dx with S = m0 (n (1 + cos^2) - 1/2), in units in which density and gravity are
+/// 1. It is integrated along each row from the set-down of the open sea, -m0 k / sinh(2 k h), and again behind land,
+/// from 0; currents along the shore and flow between the rows are left out. Land has 0.
 fn set_up_m(setup: &Setup, sea: &Dissipation) -> Vec<f64> {
     let grid = &setup.grid;
     let gravity_m_s2 = setup.options.gravity_m_s2;

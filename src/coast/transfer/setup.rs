@@ -42,8 +42,8 @@ pub(super) struct Wave {
     pub(super) omega_rad_s: f64,
     /// Amplitude in the open sea, m: twice that of the lattice.
     pub(super) open_amplitude_m: f64,
-    /// The wave at the edge of the grid. Its phase is that of a wave of phase 0 at the world origin; its frequency is the
-    /// one that has the wave number of the lattice.
+    /// The wave at the edge of the grid. Its phase is that of a wave of phase 0 at the world origin; its frequency is
+    /// the one that has the wave number of the lattice.
     pub(super) incident: Incident,
     /// Index of its group.
     pub(super) group: u32,
@@ -158,7 +158,8 @@ fn grid(coast: &PlacedCoast, solver: Solver, limits: &TransferLimits) -> Bathyme
     grid
 }
 
-/// Length, m, of a texel of the map of the waves at a coast, a square parallel to the axes of the world, in `n` x `n` texels.
+/// Length, m, of a texel of the map of the waves at a coast, a square parallel to the axes of the world, in `n` x `n`
+/// texels.
 fn texel_m(coast: &PlacedCoast, n: u32) -> f64 {
     let [wide, long] = coast.side_m();
     let (sin, cos) = coast.turn_rad().sin_cos();
@@ -181,8 +182,8 @@ fn arrived(plan: &Plan, wave: &LatticeIncident, placement: Placement, arrival: &
     })
 }
 
-/// The angular frequency (rad/s) near `near_rad_s` whose wave number in water of `depth_m` is `k` (rad/m). The frequencies
-/// of a sea are rounded, which would make a wave out of phase after a kilometre.
+/// The angular frequency (rad/s) near `near_rad_s` whose wave number in water of `depth_m` is `k` (rad/m). The
+/// frequencies of a sea are rounded, which would make a wave out of phase after a kilometre.
 fn frequency_of(k: f64, near_rad_s: f64, depth_m: f64, gravity_m_s2: f64) -> f64 {
     let mut omega = near_rad_s;
     for _ in 0..6 {

@@ -11,8 +11,8 @@ pub(super) struct Shore {
 pub(super) struct Place {
     /// Its index.
     pub(super) point: usize,
-    /// Points around it that are nearer to the open water, from which its waves come, each with its share: the shares add up
-    /// to 1.
+    /// Points around it that are nearer to the open water, from which its waves come, each with its share: the shares
+    /// add up to 1.
     pub(super) sources: Vec<(usize, f64)>,
 }
 
@@ -71,7 +71,8 @@ fn sources(grid: &Bathymetry, point: usize, around: &[usize]) -> Vec<(usize, f64
 mod tests {
     use super::*;
 
-    /// A beach of 1 in 10 with a cliff at its upper half: the low beach is reached row by row, the cliff only at its edge.
+    /// A beach of 1 in 10 with a cliff at its upper half: the low beach is reached row by row, the cliff only at its
+    /// edge.
     #[test]
     fn the_shore_reaches_from_shallow_water_up_to_the_run_up() {
         let grid = Bathymetry::from_fn(30, 12, 5.0, |x, y| if y < 30.0 { 5.0 - 0.1 * x } else { 5.0 - 0.1 * x - 9.0 });

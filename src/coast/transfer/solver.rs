@@ -20,8 +20,8 @@ const SOLVED: f64 = 0.95;
 /// Largest factor that raises waves near the shore to those of the swash.
 const MAX_RAISE: f64 = 6.0;
 
-/// Makes the [`Transfer`] of a planned sea over a coast. A step takes some milliseconds, so that a program with one thread
-/// can draw frames between steps.
+/// Makes the [`Transfer`] of a planned sea over a coast. A step takes some milliseconds, so that a program with one
+/// thread can draw frames between steps.
 ///
 /// ```
 /// use seastate::coast::{BuiltInCoast, PlacedCoast, placed::PlacingOptions};

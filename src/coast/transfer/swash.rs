@@ -1,8 +1,8 @@
 //! How much the water level varies near the shore: as the waves do, or as the swash of the sea.
 //!
-//! The swash has the significant height S of Stockdon et al. 2006, with its incident and infragravity parts; the standard
-//! deviation of the level is S / 4. It begins where the waves of the surf are no higher than S. In calm corners the swash is
-//! no higher than the waves nearby allow.
+//! The swash has the significant height S of Stockdon et al. 2006, with its incident and infragravity parts; the
+//! standard deviation of the level is S / 4. It begins where the waves of the surf are no higher than S. In calm
+//! corners the swash is no higher than the waves nearby allow.
 
 use super::setup::Setup;
 use super::shore::{Shore, neighbours};
@@ -25,8 +25,8 @@ const WHOLE_BELOW: f64 = 0.4;
 pub(super) struct Swash {
     /// Variance of the level, m^2.
     pub(super) variance_m2: Vec<f64>,
-    /// Share of the set-up of the beach, by the formula of Stockdon et al. 2006, in the mean level: 0 where the waves break,
-    /// to the height of the swash here over that of an open beach.
+    /// Share of the set-up of the beach, by the formula of Stockdon et al. 2006, in the mean level: 0 where the waves
+    /// break, to the height of the swash here over that of an open beach.
     pub(super) set_up_share: Vec<f64>,
 }
 
@@ -57,8 +57,8 @@ impl Swash {
     }
 }
 
-/// Depth, m, in which the sea is as high as the swash of the height `swash_m` (m), seen from the shore; where the sea is
-/// highest if it is nowhere so high.
+/// Depth, m, in which the sea is as high as the swash of the height `swash_m` (m), seen from the shore; where the sea
+/// is highest if it is nowhere so high.
 fn beginning_m(grid: &Bathymetry, variance_m2: &[f32], swash_m: f64) -> f64 {
     let count = ((LARGEST_DEPTH * swash_m / DEPTH_STEP_M) as usize).max(1);
     let mut sums = vec![[0.0; 2]; count];

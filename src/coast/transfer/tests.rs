@@ -112,8 +112,8 @@ fn a_transfer_of_another_sea_is_refused() {
     assert!(CoastalWaves::new(transfer, &plan("depth=20&hs=2&tp=4&dir=250&n=64")).is_none());
 }
 
-/// A plane beach: in open water the packed waves have the height that the solver gives them, and near the shore the level
-/// varies as the swash of Stockdon et al. 2006.
+/// A plane beach: in open water the packed waves have the height that the solver gives them, and near the shore the
+/// level varies as the swash of Stockdon et al. 2006.
 #[test]
 fn the_beach_has_surf_and_swash() {
     let sea = plan("depth=12&hs=1.5&tp=9&dir=250&n=128&seed=3");

@@ -9,10 +9,12 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 impl StrongestWaves {
-    /// The same sea at a coast, as it is drawn: with `transfer`, which holds what the coast makes of the longest waves of
-    /// `plan`, from which these waves were selected. All waves of the transfer count, and are part of the selection.
+    /// The same sea at a coast, as it is drawn: with `transfer`, which holds what the coast makes of the longest
+    /// waves of `plan`, from which these waves were selected. All waves of the transfer count, and are part of the
+    /// selection.
     ///
-    /// - Waves of the transfer have its weight; the same waves of the open sea have the rest, times the gain of short waves.
+    /// - Waves of the transfer have its weight; the same waves of the open sea have the rest, times the gain of short
+    ///   waves.
     /// - All others are multiplied by the gain of short waves, which is 0 on land.
     /// - Derivatives leave out the gradients of weight and gain, as the picture does.
     /// - An evaluation takes about 50 microseconds more with 500 waves.

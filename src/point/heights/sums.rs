@@ -80,8 +80,8 @@ impl WaveSums {
         add_scaled(&mut self.bound_height_m, factor, other.bound_height_m);
     }
 
-    /// The waves at a coast with the gains there: without their gradients, as the waves of the open sea, and without bound
-    /// waves.
+    /// The waves at a coast with the gains there: without their gradients, as the waves of the open sea, and without
+    /// bound waves.
     fn at_coast(coast: &CoastalSums, gains: &CoastalGains) -> Self {
         let mut out = Self::default();
         let waves = Self {
@@ -98,7 +98,8 @@ impl WaveSums {
     }
 
     /// Adds the bound waves of a cascade whose waves have the sums `own`, with themselves and with those of longer
-    /// cascades (src/waves/second_order.rs). `longer` holds the latter times their factors; this cascade is added to it.
+    /// cascades (src/waves/second_order.rs). `longer` holds the latter times their factors; this cascade is added to
+    /// it.
     fn add_bound_waves(&mut self, own: &Self, bound: &CascadeBoundWaves, longer: &mut ScaledWaves) {
         let waves = ScaledWaves::new(own, ProductFactors { elevation: 1.0, displacement: 1.0 });
         let mut others = ScaledWaves::new(own, bound.own);

@@ -124,8 +124,8 @@ impl PatchWaves {
         }
     }
 
-    /// Parts the waves into those for whose lattice indices (along x and z) `is_first` holds, and the others, each with its
-    /// share of the level of the bound waves.
+    /// Parts the waves into those for whose lattice indices (along x and z) `is_first` holds, and the others, each
+    /// with its share of the level of the bound waves.
     pub(super) fn parted(&self, is_first: impl Fn([i32; 2]) -> bool) -> [Self; 2] {
         let mut parts: [Vec<FourWaves>; 2] = Default::default();
         let (mut counts, mut variances) = ([0; 2], [0.0; 2]);
