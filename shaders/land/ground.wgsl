@@ -9,11 +9,11 @@ const LAND_GRASS_M = 3.2;
 // Fractions of its albedo, RGB, that wet sand keeps.
 const LAND_DAMP = vec3f(0.60, 0.56, 0.52);
 // Albedos.
-const LAND_MARRAM = vec3f(0.150, 0.155, 0.068);
-const LAND_STRAW = vec3f(0.290, 0.245, 0.130);
-const LAND_HEATH = vec3f(0.062, 0.074, 0.026);
-const LAND_TURF = vec3f(0.088, 0.122, 0.036);
-const LAND_SCRUB = vec3f(0.026, 0.038, 0.015);
+const LAND_MARRAM = vec3f(0.112, 0.122, 0.056);
+const LAND_STRAW = vec3f(0.235, 0.200, 0.112);
+const LAND_HEATH = vec3f(0.072, 0.068, 0.036);
+const LAND_TURF = vec3f(0.078, 0.094, 0.034);
+const LAND_SCRUB = vec3f(0.024, 0.033, 0.016);
 const LAND_ROCK = vec3f(0.235, 0.200, 0.160);
 const LAND_DARK_ROCK = vec3f(0.105, 0.092, 0.080);
 const LAND_WEED = vec3f(0.030, 0.034, 0.016);
@@ -44,7 +44,7 @@ fn land_sand(height: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) ->
   out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.07 * rippled * fine.y);
   // Driftweed lies along the line that the highest waves reach.
   let line = (height + 0.16 * middle.z - land.run_up_m - 0.12) * 4.5;
-  let weed = exp(-line * line) * saturate(0.9 * fine.w + 0.5 * middle.w - 0.35);
+  let weed = exp(-line * line) * saturate(1.1 * fine.w + 0.5 * fine.z + 0.5 * middle.w - 0.45);
   out.albedo = mix(out.albedo, LAND_WEED, 0.8 * saturate(weed));
   out.albedo *= mix(vec3f(1.0), LAND_DAMP, wet.x);
   out.relief = vec2f(0.30 * rippled * fine.x, 0.0);
@@ -53,7 +53,9 @@ fn land_sand(height: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) ->
 }
 
 // Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow on.
-fn land_plants(ground: LandGround, place: vec2f, height: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> LandGround {
+fn land_plants(
+  ground: LandGround, place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
+) -> LandGround {
   let grown = height - LAND_GRASS_M + 0.45 * middle.z + 0.5 * wide.z;
   // The front of a dune has single tufts, its back is green.
   let cover = saturate(0.30 * grown);
@@ -63,8 +65,15 @@ fn land_plants(ground: LandGround, place: vec2f, height: f32, middle: vec4f, fin
   var green = mix(LAND_MARRAM, LAND_STRAW, 0.75 * tips);
   let soil = mix(LAND_HEATH, LAND_TURF, saturate(0.5 + 0.6 * wide.w));
   green = mix(green, soil * (1.0 + 0.22 * fine.z), back);
-  let scrub = maths_smooth(1.2 * (0.8 * middle.w + 0.8 * wide.z) - 0.4) * back;
-  green = mix(green, LAND_SCRUB * (1.0 + 0.3 * fine.w), scrub);
+  let scrub = maths_smooth(0.9 * (0.5 * middle.w + 0.9 * wide.z + 0.3 * middle.z) - 0.1) * back;
+  if scrub > 0.0 {
+    // Round crowns, bright towards the sun.
+    let toward = vec2f(dot(frame.sun_direction.xz, land.shoreward),
+      frame.sun_direction.z * land.shoreward.x - frame.sun_direction.x * land.shoreward.y);
+    let sunward = land_noise((place + 0.9 * toward).yx, LAND_MIDDLE_M, size);
+    let lit = max(1.0 + 0.3 * middle.w + 0.55 * (middle.w - sunward.w), 0.15);
+    green = mix(green, LAND_SCRUB * lit, scrub);
+  }
   let share = max(tufts * saturate(1.5 * cover), back);
   var out = ground;
   out.albedo = mix(ground.albedo, max(green, vec3f(0.008)), share);
@@ -92,13 +101,18 @@ fn land_rock(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, w
   return out;
 }
 
-// Blocks of a breakwater: light stone above, weed below.
-fn land_rubble(height: f32, middle: vec4f, fine: vec4f) -> LandGround {
+// Side of the tile of blocks of a breakwater, m, which holds 19 of them, and smaller ones between.
+const LAND_BLOCKS_M = 31.0;
+
+// Blocks of a breakwater: light stone above, weed below, and dark gaps between.
+fn land_rubble(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
+  let blocks = land_noise(place + 0.7 * height, LAND_BLOCKS_M, size);
+  let gap = saturate(-0.55 * blocks.w - 0.1);
   var out: LandGround;
-  out.albedo = LAND_BLOCK * max(1.0 + 0.18 * middle.w + 0.12 * fine.z, 0.3);
+  out.albedo = LAND_BLOCK * max(1.0 + 0.16 * middle.z + 0.13 * blocks.z + 0.08 * fine.z, 0.3) * (1.0 - 0.8 * gap);
   let wet = land_wetness(height - 0.3, 1.5 * middle.z);
   out.albedo = mix(out.albedo, LAND_WEED + 0.2 * out.albedo, 0.9 * wet.x);
-  out.relief = 0.3 * vec2f(fine.w, fine.z);
+  out.relief = vec2f(0.5 * blocks.z + 0.25 * fine.w, 0.45 * blocks.w);
   out.film = 0.3 * wet.x;
   return out;
 }
@@ -122,7 +136,7 @@ fn land_ground(place: vec2f, height: f32, map: vec4f, slope: vec2f, size: f32) -
   let fine = land_noise(land_turned(place), LAND_FINE_M, size);
   var out = land_sand(height, middle, fine, wide, size);
   if height > LAND_GRASS_M - 2.0 {
-    out = land_plants(out, place, height, middle, fine, wide);
+    out = land_plants(out, place, height, size, middle, fine, wide);
   }
   let steep = length(slope) + 0.06 * middle.z + 0.05 * fine.z;
   let rock = maths_smooth((steep - LAND_ROCK_SLOPES.x) / (LAND_ROCK_SLOPES.y - LAND_ROCK_SLOPES.x));
@@ -135,7 +149,7 @@ fn land_ground(place: vec2f, height: f32, map: vec4f, slope: vec2f, size: f32) -
   if built > 0.0 {
     var made = land_concrete(place, height, size, middle, fine);
     if map.w < 0.0 {
-      made = land_rubble(height, middle, fine);
+      made = land_rubble(place, height, size, middle, fine);
     }
     out = LandGround(
       mix(out.albedo, made.albedo, built), mix(out.relief, made.relief, built), mix(out.film, made.film, built));

@@ -18,6 +18,7 @@ mod views;
 mod water;
 
 pub use frame::FrameUniform;
+pub use land::map::{LandUniform, land_map};
 pub use reference::{ReferenceRenderer, SampleGrid};
 pub use scene::{FadingSea, Scene, SeaAppearance};
 pub use targets::OutputKind;
@@ -41,7 +42,6 @@ use drops::spray::{SprayLevel, SprayUniform};
 use film::present::PresentPass;
 use film::tone::{TonePass, ToneUniform};
 use frame_maps::{FrameCascade, FrameFoamGrid};
-use land::map::LandUniform;
 use land::{LandPass, LandVertex};
 use scene_group::{SceneGroup, SceneResources};
 use sky::background::BackgroundPass;

@@ -138,7 +138,7 @@ fn the_beach_has_surf_and_swash() {
         setup.waves.iter().enumerate().map(of_wave).sum()
     };
     let (mut deep, mut swash) = (0, 0);
-    for point in (0..points).step_by(3) {
+    for point in (0..points).step_by(7) {
         let depth_m = setup.grid.depth_m[point];
         let got = variance(point);
         let solver: f64 = fields
@@ -162,7 +162,7 @@ fn the_beach_has_surf_and_swash() {
         assert!((0.0..=1.3).contains(&p.short_gain) && (depth_m > 0.0 || p.short_gain == 0.0), "{p:?}");
         assert!((0.0..=1.0).contains(&p.weight) && p.breaking_height_m > 0.0);
     }
-    assert!(deep > 600 && swash > 15, "{deep} {swash}");
+    assert!(deep > 300 && swash > 5, "{deep} {swash}");
     // The same sea gives the same transfer, whatever the number of threads.
     let alone = solved(&sea, &coast, &TransferLimits { threads: 1, ..limits });
     assert_eq!(alone, transfer);

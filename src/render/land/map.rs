@@ -36,6 +36,7 @@ gpu_struct! {
 }
 
 impl LandUniform {
+    /// Values for the land of a coast in a scene.
     pub fn new(coast: &PlacedCoast, scene: &Scene) -> Self {
         let placement = coast.placement();
         let (sin, cos) = placement.turn_rad.sin_cos();
@@ -54,6 +55,11 @@ impl LandUniform {
             unused: [0; 3],
         }
     }
+}
+
+/// The map of a coast's land, for tests that call WGSL functions of the renderer.
+pub fn land_map(gpu: &Gpu, coast: &PlacedCoast) -> wgpu::TextureView {
+    map_of(gpu, &Relief::new(coast))
 }
 
 /// A map of one texel, for scenes without land.

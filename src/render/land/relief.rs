@@ -20,12 +20,17 @@ const ROCK_SLOPES: [f32; 2] = [0.42, 0.8];
 const LEDGES_M: f32 = 2.2;
 const ROCK_TILE_M: f64 = 173.0;
 const RUBBLE_TILE_M: f64 = 97.0;
+/// Heights of the hummocks of dunes, m, the sides of the tiles of their noise, m, the heights of the ground between which
+/// they begin, m, and the distance from the edges of the coast's rectangle, where there are none, m.
+const HUMMOCKS: [(f32, f64); 3] = [(3.2, 410.0), (1.9, 173.0), (0.8, 71.0)];
+const HUMMOCK_GROUND_M: [f32; 2] = [2.4, 5.0];
+const NO_HUMMOCKS_M: f64 = 120.0;
 /// Height by which the blocks of a breakwater differ, m.
-const BLOCKS_M: f64 = 1.3;
+const BLOCKS_M: f64 = 1.5;
 /// Hills beyond the coast: their height, m, the distances inland over which they rise, m, and the tile of their noise, m.
-const HILLS_M: f64 = 75.0;
-const HILLS_FROM_M: [f64; 2] = [150.0, 3500.0];
-const HILLS_TILE_M: f64 = 15_000.0;
+const HILLS_M: f64 = 120.0;
+const HILLS_FROM_M: [f64; 2] = [60.0, 3000.0];
+const HILLS_TILE_M: f64 = 13_000.0;
 /// Height of land, m, from which there are hills behind it.
 const HILLS_BEHIND_M: f64 = 1.0;
 
@@ -105,6 +110,7 @@ impl Relief {
             }
         }
         let mut relief = Self { axes, height_m, slope: vec![[0.0; 2]; POINTS * POINTS], kind: Vec::new() };
+        relief.shape_dunes();
         relief.shape_rocks();
         if built_in.is_some() {
             coast.structures.iter().for_each(|structure| relief.build(structure, &mut kind));
@@ -131,6 +137,36 @@ impl Relief {
             }
         }
         slope
+    }
+
+    /// Gives sandy land the hummocks and hollows that wind and grass make.
+    fn shape_dunes(&mut self) {
+        let slopes = self.slopes(BEFORE..BEFORE + INNER);
+        let layers: [NoiseLattice; 3] = std::array::from_fn(|i| NoiseLattice::gradients(7, 101 + i as u32));
+        let sides_m = [self.axes[0].side_m, self.axes[1].side_m];
+        for (j, y) in inner_points(&self.axes[1]) {
+            for (i, x) in inner_points(&self.axes[0]) {
+                let index = j * POINTS + i;
+                let [from, to] = HUMMOCK_GROUND_M;
+                let [sx, sy] = slopes[index];
+                let edge_m = (sides_m[0] - x).min(y).min(sides_m[1] - y);
+                let share = smooth((self.height_m[index] - from) / (to - from))
+                    * smooth((edge_m / NO_HUMMOCKS_M) as f32)
+                    * (1.0 - smooth(4.0 * sx.hypot(sy) - 1.0));
+                if share > 0.0 {
+                    let noise: f32 = HUMMOCKS
+                        .iter()
+                        .zip(&layers)
+                        .map(|((height_m, tile_m), layer)| {
+                            // Crests are sharper than hollows.
+                            let wave = layer.perlin_noise((x / tile_m) as f32, (y / tile_m) as f32);
+                            height_m * (0.25 - wave.abs())
+                        })
+                        .sum();
+                    self.height_m[index] += share * noise;
+                }
+            }
+        }
     }
 
     /// Gives steep land the edges and ledges of rock.

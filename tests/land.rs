@@ -1,0 +1,140 @@
+//! The land of a coast in the picture, and the water over its depths.
+
+mod common;
+
+use common::wgsl::{self, shaders};
+use common::{Pictures, params};
+use seastate::coast::{Bathymetry, PlacedCoast};
+use seastate::gpu::Gpu;
+use seastate::gpu::readback::stage_texture;
+use seastate::ocean::still::PICTURE_FORMAT;
+use seastate::ocean::{Ocean, OutputKind};
+use seastate::render::{LandUniform, NoiseTexture, Renderer, land_map};
+use std::sync::Arc;
+use wgpu::{BindingResource, BufferUsages};
+
+/// A plane that rises by 1 in 20 towards the bearing 127 degrees and by 1 in 80 across, before the middle of the world.
+fn plane() -> PlacedCoast {
+    let depth_m = |x: f64, y: f64| 20.0 - x / 20.0 - y / 80.0;
+    PlacedCoast {
+        title: "plane".into(),
+        built_in: None,
+        about: "A plane.".into(),
+        bathymetry: Bathymetry::from_fn(81, 81, 10.0, depth_m),
+        structures: Vec::new(),
+        toward_deg: 127.0,
+        middle_m: [30.0, -50.0],
+        notices: Vec::new(),
+    }
+}
+
+/// A scene of a flat sea with the land of `coast`.
+fn flat_scene(gpu: &Gpu, state: &str, coast: &PlacedCoast, size: [u32; 2]) -> (Ocean, seastate::render::Scene) {
+    let mut ocean = Ocean::without_renderer(gpu, &params(&format!("scale=0&foam=0&n=64&{state}")));
+    ocean.set_land(Some(Arc::new(coast.clone())));
+    let mut scene = ocean.scene(size);
+    scene.sea.unresolved_slope_variance = [0.0; 2];
+    (ocean, scene)
+}
+
+#[test]
+fn shaders_find_the_depth_and_where_a_ray_meets_the_bed() {
+    let (gpu, coast) = (common::gpu(), plane());
+    let (_, scene) = flat_scene(&gpu, "x=40&z=25", &coast, [64, 64]);
+    let text = "fn answer(q: Question) -> Answer {
+        let depth = land_depth_m(q[0].xy, 1.0);
+        let column = land_column_m(q[0].xy, q[1].xy, q[0].z, 1.0);
+        return Answer(vec4f(depth, column, land_to_world(land_place(q[0].xy) - land.eye_place)));
+    }";
+    let mut kernel = wgsl::Kernel::<2, 1>::new(&gpu, &shaders(), "water/light", text);
+    let uniform = wgsl::buffer(&gpu, bytemuck::bytes_of(&LandUniform::new(&coast, &scene)), BufferUsages::UNIFORM);
+    let (map, noise) = (land_map(&gpu, &coast), NoiseTexture::new(&gpu));
+    let group = [
+        (7, BindingResource::Sampler(&noise.sampler)),
+        (13, BindingResource::TextureView(&map)),
+        (15, uniform.as_entire_binding()),
+    ];
+    kernel.bind(0, &group);
+    let mut questions = Vec::new();
+    for i in 0..200 {
+        let part = |step: f64| (f64::from(i) * step).fract() - 0.5;
+        let [x, z] = [500.0 * part(0.7548), 500.0 * part(0.5698)];
+        let run = [1.1 * part(0.819), 1.1 * part(0.671)];
+        questions.push([[x, z, 2.0 * part(0.55), 0.0], [run[0], run[1], 0.0, 0.0]].map(|v| v.map(|v| v as f32)));
+    }
+    let eye = [scene.view.eye.x, scene.view.eye.z];
+    for (question, [[depth_m, column_m, x, z]]) in questions.iter().zip(kernel.ask(&questions)) {
+        let [at, run] = [question[0], question[1]].map(|q| q.map(f64::from));
+        let want = |off: [f64; 2]| coast.depth_at_m([eye[0] + at[0] + off[0], eye[1] + at[1] + off[1]]);
+        assert!((depth_m - want([0.0; 2])).abs() < 0.02, "{depth_m}, not {}", want([0.0; 2]));
+        assert!((x - at[0]).abs() < 1e-3 && (z - at[1]).abs() < 1e-3, "the axes are turned back: {x} {z}");
+        // The bed under the point where the ray meets it, by bisection.
+        let (mut low, mut high) = (0.0, 60.0);
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            let below = want([run[0] * middle, run[1] * middle]) + at[2];
+            if below > middle { low = middle } else { high = middle }
+        }
+        assert!((column_m - low).abs() < 0.03 + 0.01 * low, "{column_m}, not {low}");
+    }
+}
+
+/// Heights above the still water, m, and linear light of the pixels of a picture.
+fn heights_and_light(gpu: &Gpu, state: &str, coast: &PlacedCoast, size: [u32; 2]) -> Vec<([f64; 3], [f32; 4])> {
+    let (mut ocean, scene) = flat_scene(gpu, state, coast, size);
+    let mut renderer = Renderer::new(gpu, &shaders(), PICTURE_FORMAT, OutputKind::ReadBack);
+    let mut encoder = gpu.encoder("test");
+    ocean.simulation().encode_with_f32_maps(gpu, &mut encoder, 0.0);
+    renderer.draw(gpu, &mut encoder, ocean.maps(), &scene, size);
+    let light = stage_texture(gpu, &mut encoder, renderer.light_texture().expect("a picture"), 0);
+    let depth = stage_texture(gpu, &mut encoder, renderer.depth_texture().expect("a picture"), 0);
+    gpu.submit(encoder);
+    let light = pollster::block_on(light.read_map(gpu)).expect("light");
+    let depth: Vec<f32> = bytemuck::pod_collect_to_vec(&pollster::block_on(depth.read(gpu)).expect("depth"));
+    let view = scene.view;
+    let place = |i: usize| {
+        let at = |pixel: usize, count: u32| 2.0 * (pixel as f64 + 0.5) / f64::from(count) - 1.0;
+        let (x, y) = (at(i % size[0] as usize, size[0]), -at(i / size[0] as usize, size[1]));
+        let ray = view.forward + view.right * (x * view.tan_half_fov[0]) + view.up * (y * view.tan_half_fov[1]);
+        let p = view.eye + ray * (0.1 / f64::from(depth[i]));
+        [p.x, p.y + (ray.x.hypot(ray.z) * 0.1 / f64::from(depth[i])).powi(2) / (2.0 * 6_371_000.0), p.z]
+    };
+    (0..depth.len()).map(|i| (place(i), light[i])).collect()
+}
+
+#[test]
+fn the_waterline_is_where_the_ground_rises_above_the_water_and_has_no_dark_rim() {
+    let gpu = common::gpu();
+    let size = [240, 160];
+    let beach = PlacedCoast::of_state(&params("coast=beach").coast, None).expect("a beach").expect("a beach");
+    let state = "y=40&x=540&z=0&heading=90&pitch=-50&sun=50&sunaz=180&bedcover=0";
+    let pixels = heights_and_light(&gpu, state, &beach, size);
+    let (mut land, mut water) = (Vec::new(), Vec::new());
+    for ([x, height_m, z], light) in &pixels {
+        let ground_m = -beach.depth_at_m([*x, *z]);
+        // The grid of the coast has 7.5 m between its points, between which the picture follows the formula.
+        let want = ground_m.max(0.0);
+        assert!((height_m - want).abs() < 0.12, "{height_m} m at {x} {z}, not {want}");
+        if ground_m.abs() < 0.5 {
+            if *height_m > 0.02 { land.push(light[1]) } else { water.push((ground_m, light[1])) }
+        }
+    }
+    assert!(land.len() > 200 && water.len() > 200, "{} {}", land.len(), water.len());
+    let mean = |values: &[f32]| values.iter().sum::<f32>() / values.len() as f32;
+    let thin: Vec<f32> = water.iter().filter(|(ground_m, _)| *ground_m > -0.1).map(|(_, light)| *light).collect();
+    let deeper: Vec<f32> = water.iter().filter(|(ground_m, _)| *ground_m < -0.3).map(|(_, light)| *light).collect();
+    let (land, thin, deeper) = (mean(&land), mean(&thin), mean(&deeper));
+    eprintln!("green light: land {land:.4}, thin water {thin:.4}, deeper water {deeper:.4}");
+    assert!(thin > 0.97 * deeper && thin < 1.02 * land, "{land} {thin} {deeper}");
+}
+
+#[test]
+fn a_picture_without_a_coast_does_not_know_that_there_was_one() {
+    let size = [160, 90];
+    let mut pictures = Pictures::default();
+    let sea = params("n=64&depth=12&foam=0");
+    let first = pictures.render(&sea, size);
+    let with_land = pictures.render(&params("n=64&depth=12&foam=0&coast=beach&x=500&heading=90"), size);
+    assert_ne!(first, with_land);
+    assert_eq!(first, pictures.render(&sea, size));
+}
