@@ -88,7 +88,8 @@ pub struct CoastSizes {
 /// Cost of the passes for the waves at a coast, with FFT size `n`. Per wave and point: an envelope of two half floats and
 /// 17 operations. Per group and point: a texel written and read. Per group and texel of the map: a filtered sample and 62
 /// operations, of which 39 are for the carrier's cosine and sine. Per texel: elevation and potential written and read (16
-/// bytes; neighbours come from a cache), a texel of rollers and two of maps written, and 260 operations. Besides, the row and the column pass run for one more cascade, and the mip pass for two.
+/// bytes; neighbours come from a cache), a texel of rollers and two of maps written, and 260 operations. Besides,
+/// the row and the column pass run for one more cascade, and the mip pass for two.
 pub fn coast_pass_cost(n: u32, sizes: CoastSizes, maps: MapFormat) -> Cost {
     let CoastSizes { waves, points, groups } = sizes;
     let texel = f64::from(maps.bytes_per_texel());
