@@ -205,7 +205,7 @@ fn bound_waves_are_drawn() {
         ("longer += map.bound_with_shorter.yxy * own", "longer += 1.01 * map.bound_with_shorter.yxy * own"),
         ("map.bound_own.yxy * own + longer", "map.bound_own.yxy * own + 0.99 * longer"),
         ("0.5 * map.bound_own.yxy", "0.5 * map.bound_own.xxx"),
-        ("share * share * map.bound_level_m", "0.9 * map.bound_level_m"),
+        ("+ level * map.bound_level_m", "+ 0.9 * map.bound_level_m"),
     ] {
         let shaders = wgsl::shaders().patched("water/light", line, fault);
         let wrong = bound_wave_error(&shaders);
