@@ -107,17 +107,17 @@ pub fn add_elliptic_shoal(page: &mut MarkdownPage) -> Result<(), String> {
     let places = ["x = 1 m", "x = 3 m", "x = 5 m", "x = 7 m", "x = 9 m", "y = -2 m", "y = 0 m", "y = 2 m"];
     for (section, place) in shoals::elliptic_shoal().iter().zip(places) {
         let across = place.starts_with('x');
-        let (label, low, high) = if across { ("y, m", -5.0, 5.0) } else { ("x, m", 0.0, 10.0) };
+        let (label, low, high) = if across { ("y, m", -5.0, 5.0) } else { ("x, m", 0.0, 11.0) };
         let title = format!("Section {}: {place}", section.number);
         let y = Axis::linear("amplitude / arriving", 0.0, 3.0);
         let line = section.points.iter().map(|p| [p[0], p[2]]).collect();
         let dashes = section.points.iter().map(|p| [p[0], p[1]]).collect();
-        let high = section.points.iter().map(|p| [p[0], p[3]]).collect();
+        let faster = section.points.iter().map(|p| [p[0], p[3]]).collect();
         let measured = section.measured.iter().map(|p| [p[0], p[1], 0.0]).collect();
         let figure = Figure::new(&title, Axis::linear(label, low, high), y, LegendCorner::UpperRight)
             .with_series(FigureSeries::new("elliptic, 12.5 cm", 0, SeriesData::Line(line)))
             .with_series(FigureSeries::new("parabolic, 25 cm", 1, SeriesData::Dashes(dashes)))
-            .with_series(FigureSeries::new("with the speed of high waves", 2, SeriesData::Line(high)))
+            .with_series(FigureSeries::new("with the speed of high waves", 2, SeriesData::Line(faster)))
             .with_series(FigureSeries::new("measured", 6, SeriesData::Points(measured)));
         figures.push((format!("coast-shoal-{}", section.number), figure));
         let highest = |of: usize| section.points.iter().map(|p| p[of]).fold(0.0, f64::max);
