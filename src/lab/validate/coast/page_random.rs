@@ -31,8 +31,9 @@ pub fn add_random_sea(page: &mut MarkdownPage) -> Result<(), String> {
         "The sea `{SEA}` in the depth of each coast's seaward edge: the {WAVES} strongest waves of the program's lattice \
          that are longer than 25 m and travel towards the land, with the transfer functions of the coast (parabolic, and \
          elliptic at the harbour) and the random amplitudes of {SEEDS} seeds. {GAUGES} gauges a coast record 14 minutes \
-         for each seed. The component sum is what the same transfer functions give without records. The deviation of the \
-         mean variance over the seeds is in standard errors of that mean; one gauge in twenty is expected beyond 2 σ. \
+         for each seed. The component sum adds the energy of the components. The deviation is the mean difference of the \
+         variance of a record and the component sum with the amplitudes of its seed, in standard errors of that mean; one \
+         gauge in twenty is expected beyond 2 σ. \
          Groupiness is the standard deviation of the squared envelope over its mean, succession the correlation of the \
          heights of successive waves; with too few components kurtosis and groupiness would fall below those of the open \
          sea, whose record holds the waves of all directions and lengths that have 99 % of the variance."

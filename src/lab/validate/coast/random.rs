@@ -79,6 +79,8 @@ fn lattice_waves(plan: &Plan) -> Vec<LatticeWave> {
 #[derive(Clone, Copy, Debug, Default)]
 struct RecordStatistics {
     variance_m2: f64,
+    /// Variance that the amplitudes of this seed have: the sum over the components, m^2.
+    components_m2: f64,
     kurtosis: f64,
     /// Standard deviation of the squared envelope over its mean: 1 for a Gaussian sea of many waves, 0 for one wave.
     groupiness: f64,
@@ -87,8 +89,8 @@ struct RecordStatistics {
 }
 
 impl RecordStatistics {
-    /// Statistics of an analytic signal, whose real part is the elevation.
-    fn new(re: &[f64], im: &[f64]) -> Self {
+    /// Statistics of an analytic signal, whose real part is the elevation, with the variance of its components.
+    fn new([re, im]: &[Vec<f64>; 2], components_m2: f64) -> Self {
         let count = re.len() as f64;
         let mean = |f: &dyn Fn(usize) -> f64| (0..re.len()).map(f).sum::<f64>() / count;
         let level = mean(&|n| re[n]);
@@ -98,7 +100,7 @@ impl RecordStatistics {
         let envelope = mean(&square);
         let groupiness = mean(&|n| (square(n) - envelope).powi(2)).sqrt() / envelope;
         let heights: Vec<f64> = zero_up_crossing_waves(re, STEP_S).iter().map(|w| w.height_m()).collect();
-        Self { variance_m2, kurtosis, groupiness, succession: succession(&heights) }
+        Self { variance_m2, components_m2, kurtosis, groupiness, succession: succession(&heights) }
     }
 }
 
@@ -117,10 +119,12 @@ fn succession(values: &[f64]) -> f64 {
 pub struct PointStatistics {
     /// Depth, m.
     pub depth_m: f64,
-    /// Expected variance of the elevation, m^2: the sum over the components.
+    /// Expected variance of the elevation, m^2: the sum over the components with their expected energy.
     pub expected_m2: f64,
     /// Variance of the records, m^2.
     pub variance_m2: EstimateWithError,
+    /// Variance of each record minus the sum over the components with the amplitudes of its seed, m^2.
+    pub difference_m2: EstimateWithError,
     /// Kurtosis of the records of each seed, 3 for a long Gaussian record.
     pub kurtosis: EstimateWithError,
     /// Groupiness of the records of each seed: standard deviation of the squared envelope over its mean.
@@ -137,6 +141,7 @@ impl PointStatistics {
             depth_m,
             expected_m2,
             variance_m2: mean(|r| r.variance_m2),
+            difference_m2: mean(|r| r.variance_m2 - r.components_m2),
             kurtosis: mean(|r| r.kurtosis),
             groupiness: mean(|r| r.groupiness),
             succession: mean(|r| r.succession),
@@ -150,9 +155,9 @@ impl PointStatistics {
         (4.0 * self.expected_m2.sqrt(), self.variance_m2.with_propagated_error(hs_m, derivative))
     }
 
-    /// Difference of the variance of the records from the component sum, in standard errors.
+    /// Mean difference of the records' variance from the component sums of their seeds, in standard errors.
     pub fn deviation(&self) -> f64 {
-        (self.variance_m2.value - self.expected_m2) / self.variance_m2.standard_error.unwrap_or(f64::NAN)
+        self.difference_m2.value / self.difference_m2.standard_error.unwrap_or(f64::NAN)
     }
 }
 
@@ -167,34 +172,38 @@ pub struct CoastRecords {
     pub gauges: Vec<PointStatistics>,
 }
 
-/// Records of waves at points: for each point and wave the complex transfer function. Calls `done` with the statistics of
-/// each point for each seed.
+/// Records of waves at points, whose transfer functions `transfers` holds for each wave: statistics of each seed at each
+/// point.
 fn records(waves: &[LatticeWave], transfers: &[Vec<[f64; 2]>]) -> Vec<Vec<RecordStatistics>> {
-    let turns: Vec<[Vec<f64>; 2]> = (waves.iter())
-        .map(|wave| {
+    let threads = Options::default().threads.max(1);
+    let seeds: Vec<u32> = (1..=SEEDS).collect();
+    let work = |seeds: &[u32]| -> Vec<Vec<RecordStatistics>> {
+        let mut signals = vec![vec![[vec![0.0; SAMPLES], vec![0.0; SAMPLES]]; transfers.len()]; seeds.len()];
+        let mut components_m2 = vec![vec![0.0; transfers.len()]; seeds.len()];
+        for (index, wave) in waves.iter().enumerate() {
             let phase = |n: usize| -wave.incident.omega_rad_s * STEP_S * n as f64;
-            [0, 1].map(|part| (0..SAMPLES).map(|n| if part == 0 { phase(n).cos() } else { phase(n).sin() }).collect())
-        })
-        .collect();
-    let of_seed = |seed: u32| -> Vec<RecordStatistics> {
-        let amplitudes: Vec<[f64; 2]> = waves.iter().map(|wave| wave.of_seed(seed)).collect();
-        let record = |transfer: &Vec<[f64; 2]>| {
-            let (mut re, mut im) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
-            for ((t, h), [cos, sin]) in transfer.iter().zip(&amplitudes).zip(&turns) {
-                let (a, b) = (t[0] * h[0] - t[1] * h[1], t[0] * h[1] + t[1] * h[0]);
-                for (((re, im), cos), sin) in re.iter_mut().zip(&mut im).zip(cos).zip(sin) {
-                    *re += a * cos - b * sin;
-                    *im += a * sin + b * cos;
+            let turn: Vec<(f64, f64)> = (0..SAMPLES).map(|n| phase(n).sin_cos()).collect();
+            for ((seed, signals), sums) in seeds.iter().zip(&mut signals).zip(&mut components_m2) {
+                let h = wave.of_seed(*seed);
+                for ((transfer, [re, im]), sum) in transfers.iter().zip(signals).zip(sums) {
+                    let t = transfer[index];
+                    let (a, b) = (t[0] * h[0] - t[1] * h[1], t[0] * h[1] + t[1] * h[0]);
+                    *sum += 0.5 * (a * a + b * b);
+                    for ((re, im), (sin, cos)) in re.iter_mut().zip(im).zip(&turn) {
+                        *re += a * cos - b * sin;
+                        *im += a * sin + b * cos;
+                    }
                 }
             }
-            RecordStatistics::new(&re, &im)
+        }
+        let of_seed = |(signals, sums): (&Vec<[Vec<f64>; 2]>, &Vec<f64>)| {
+            signals.iter().zip(sums).map(|(signal, sum)| RecordStatistics::new(signal, *sum)).collect()
         };
-        transfers.iter().map(record).collect()
+        signals.iter().zip(&components_m2).map(of_seed).collect()
     };
-    let threads = Options::default().threads.max(1) as u32;
-    let work = |thread: u32| (1..=SEEDS).filter(move |s| s % threads == thread).map(of_seed).collect::<Vec<_>>();
     std::thread::scope(|scope| {
-        let handles: Vec<_> = (0..threads).map(|thread| scope.spawn(move || work(thread))).collect();
+        let shares = seeds.chunks(seeds.len().div_ceil(threads));
+        let handles: Vec<_> = shares.map(|share| scope.spawn(move || work(share))).collect();
         handles.into_iter().flat_map(|handle| handle.join().unwrap_or_default()).collect()
     })
 }
