@@ -347,6 +347,12 @@ fn the_drawn_surface_is_that_of_the_open_sea_over_a_flat_bed_and_around_it() {
         eprintln!("{frame:?}: {found:.4?}");
         assert!((0..3).all(|k| found[k] < most[k]), "{frame:?}: {found:?}");
     }
+    // Waves that grow are seen: they are half as high again in the middle.
+    let grown = Arc::new(SyntheticCoast { growth: 1.0, ..coast }.transfer(&plan));
+    let eye = world_from_frame(&coast.placement, [half_m, half_m]);
+    let [open, coastal] = [None, Some(&grown)].map(|transfer| surface(&gpu, transfer, &state, eye, &points));
+    let found = differences(&open, &coastal);
+    assert!(found[0] > 0.2, "{found:?}");
 }
 
 #[test]

@@ -78,7 +78,8 @@ fn a_coast_of_the_panel_is_chosen_solved_and_undone() {
     assert_eq!((now.coast.name, now.sea.depth_m), (CoastName::Bar, 11.4));
     assert!(now.camera.x_m.hypot(now.camera.z_m) > 100.0, "the camera is before the shore: {:?}", now.camera);
     harness.get_by_label_contains("A sand bar along a beach");
-    harness.get_by_label_contains("Waves find their way ashore");
+    // In the panel, and over the sea.
+    assert_eq!(harness.query_all_by_label_contains("Waves find their way ashore").count(), 2);
     assert!(!harness.state().is_picture_complete());
     solve(&mut harness);
     assert!(harness.query_by_label_contains("Waves find their way ashore").is_none());
@@ -91,8 +92,6 @@ fn a_coast_of_the_panel_is_chosen_solved_and_undone() {
     harness.get_by_label("Make the sea 11.4 m deep").click();
     harness.run_steps(3);
     assert_eq!(params(&harness).sea.depth_m, 11.4);
-    harness.render().expect("a picture");
-    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
     // Everything is undone.
     for _ in 0..10 {
         harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);

@@ -29,7 +29,9 @@ fn coast_roller(z: vec2f, inverse_breaking_height: f32) -> f32 {
   let over = (4.0 * size * inverse_breaking_height - COAST_BREAKING_RANGE.x)
     * (1.0 / (COAST_BREAKING_RANGE.y - COAST_BREAKING_RANGE.x));
   let before_crest = 0.5 + 0.5 * dot(z, COAST_ROLLER_PHASE) / max(size, 1e-9);
-  let window = before_crest * before_crest;
+  // Half of the roller's strength is left 0.6 rad from its middle, which is a tenth of the wave's length.
+  var window = before_crest * before_crest;
+  window *= window;
   return maths_smooth(over) * window * window;
 }
 

@@ -14,8 +14,6 @@ pub(super) const PAD_CELLS: usize = 20;
 const PAD_ATTENUATION: f64 = 4.0;
 /// Largest number of fine cells of a line in a cell of the grid.
 pub(super) const MAX_REFINEMENT: usize = 4;
-/// Largest phase (rad) of a wave of the open sea in a fine cell.
-const MAX_PHASE_PER_CELL: f64 = 0.8;
 /// Imaginary part of the coefficient 1/4 of the rational approximation. It damps waves that could not exist (evanescent
 /// waves, for which the approximation has a pole) and leaves those that can nearly as they are.
 const EVANESCENT_DAMPING: f64 = 0.004;
@@ -76,7 +74,7 @@ impl Marcher {
     pub(super) fn new(component: &ComponentField, depth_m: f64, bathymetry: &Bathymetry, options: &Options) -> Self {
         let incident = &component.incident;
         let wave = LocalWave::new(incident.omega_rad_s, depth_m, options.gravity_m_s2);
-        let wanted = (wave.k * bathymetry.cell_m / MAX_PHASE_PER_CELL).ceil() as usize;
+        let wanted = (wave.k * bathymetry.cell_m / options.max_phase_per_cell_rad).ceil() as usize;
         let refinement = wanted.clamp(1, MAX_REFINEMENT);
         let goes_shoreward = incident.direction_rad.abs() <= MAX_ANGLE_RAD;
         let amplitude = if goes_shoreward { incident.amplitude_m } else { 0.0 };

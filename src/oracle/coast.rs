@@ -93,7 +93,7 @@ pub fn roller(point: &CoastPoint) -> f64 {
     let over = ((height_m * point.inverse_breaking_height - 0.9) / 0.2).clamp(0.0, 1.0);
     // The phase falls with time, and is 0 at the crest. The roller is strongest 0.6 rad before it.
     let before = im.atan2(re) - 0.57_f64.atan2(0.82);
-    over * over * (3.0 - 2.0 * over) * (0.5 + 0.5 * before.cos()).powi(4)
+    over * over * (3.0 - 2.0 * over) * (0.5 + 0.5 * before.cos()).powi(8)
 }
 
 /// Displacement and gradient maps of n x n texels from the sums at these texels, `texel_m` apart (m). Rows run along the

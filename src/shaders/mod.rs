@@ -87,6 +87,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     PICTURE,
     SURFACE,
     part!("water/footprint.wgsl"),
+    part!("water/gusts.wgsl"),
     part!("water/slope.wgsl"),
     part!("water/shadow_sun.wgsl"),
     part!("water/shadow.wgsl"),

@@ -6,7 +6,6 @@ use super::setup::Wave;
 use super::shore::Shore;
 use crate::coast::complex::Complex;
 use crate::coast::field::ComponentField;
-use crate::coast::local_wave::LocalWave;
 
 /// Packed envelopes of all waves, and the variance of their sum.
 pub(super) struct Envelopes {
@@ -68,19 +67,14 @@ impl Envelopes {
         }
     }
 
-    /// Continues a wave over the shore: at each of its points it is the mean of the waves that arrive there from the points
-    /// around that are nearer to the open water, with the wave number `k` (rad/m) on the way.
-    pub(super) fn continue_ashore(&mut self, index: usize, wave: &Wave, group: &WaveGroup, shore: &Shore, k: f64) {
-        let (columns, cell_m) = (self.columns, self.cell_m);
-        let carrier =
-            |point: usize| group.column_phase_rad[point % columns] + group.ky_rad_m * (point / columns) as f64 * cell_m;
+    /// Continues a wave over the shore: at each of its points the envelope is the mean of those around that are nearer to the
+    /// open water. So the wave goes on as its carrier does.
+    pub(super) fn continue_ashore(&mut self, index: usize, wave: &Wave, shore: &Shore) {
         let out = &mut self.packed[index * self.points..(index + 1) * self.points];
         for place in &shore.places {
-            let here = carrier(place.point);
             let mut sum = Complex::ZERO;
-            for source in &place.sources {
-                let turn = carrier(source.point) - here + k * source.distance_m;
-                sum += unpack(out[source.point]) * Complex::polar(source.weight, turn);
+            for (source, weight) in &place.sources {
+                sum += unpack(out[*source]) * *weight;
             }
             out[place.point] = pack(sum);
             self.continued_m2[place.point] += 0.5 * wave.open_amplitude_m.powi(2) * sum.norm_squared();
@@ -94,9 +88,4 @@ impl Envelopes {
             out[*point] = pack(unpack(out[*point]) * *factor);
         }
     }
-}
-
-/// Wave number, rad/m, with which a wave goes on in water that is shallower than `least_depth_m`, m.
-pub(super) fn shore_wave_number(wave: &Wave, least_depth_m: f64, gravity_m_s2: f64) -> f64 {
-    LocalWave::new(wave.incident.omega_rad_s, least_depth_m, gravity_m_s2).k
 }

@@ -3,7 +3,7 @@
 use super::SeaAtPoint;
 use super::setup::Setup;
 use super::shore::{Shore, neighbours};
-use super::swash::smooth_step;
+use super::swash::{Swash, smooth_step};
 use crate::coast::bathymetry::Bathymetry;
 use crate::coast::local_wave::LocalWave;
 use crate::coast::losses::Dissipation;
@@ -24,26 +24,35 @@ const LEAST_WATER_M: f64 = 0.1;
 /// Times that maps are smoothed over the nearest points.
 const SMOOTHINGS: usize = 2;
 
-/// Variances of a transfer's waves at its points, m^2.
-pub(super) struct Variances<'a> {
-    /// All waves, as the transfer has them.
-    pub(super) all: &'a [f64],
-    /// The shortest third of the waves, as they were solved.
-    pub(super) short: &'a [f64],
-    /// The shortest third in the open sea.
-    pub(super) open_short: f64,
+/// Variances of the shortest third of a transfer's waves, m^2.
+pub(super) struct ShortWaves<'a> {
+    /// At its points, as they were solved.
+    pub(super) solved_m2: &'a [f64],
+    /// In the open sea.
+    pub(super) open_m2: f64,
 }
 
 /// All points of a transfer.
-pub(super) fn points(setup: &Setup, sea: &Dissipation, shore: &Shore, variances: &Variances<'_>) -> Vec<SeaAtPoint> {
+pub(super) fn points(
+    setup: &Setup,
+    sea: &Dissipation,
+    shore: &Shore,
+    swash: &Swash,
+    short: &ShortWaves<'_>,
+) -> Vec<SeaAtPoint> {
     let grid = &setup.grid;
     let mut breaking: Vec<f64> = sea.breaking_fraction.iter().map(|q| f64::from(*q)).collect();
     shore.continue_map(grid, &mut breaking);
     let mut set_up_m = set_up_m(setup, sea);
     shore.continue_map(grid, &mut set_up_m);
-    let short_gain = short_gain(setup, variances);
-    let mut all = variances.all.to_vec();
-    smooth(grid, &mut all, |point| variances.all[point] > 0.0);
+    if let Some(run_up) = setup.run_up {
+        for (level_m, share) in set_up_m.iter_mut().zip(&swash.set_up_share) {
+            *level_m += share * (run_up.set_up_m - *level_m).max(0.0);
+        }
+    }
+    let short_gain = short_gain(setup, short);
+    let mut all = swash.variance_m2.clone();
+    smooth(grid, &mut all, |point| swash.variance_m2[point] > 0.0);
     let point = |point: usize| {
         let height_m = (8.0 * all[point]).sqrt();
         // The heights of waves have Rayleigh's distribution: the fraction Q is higher than Hrms sqrt(-ln Q).
@@ -71,13 +80,13 @@ fn weight(grid: &Bathymetry, point: usize) -> f64 {
 }
 
 /// Factor on the waves outside the transfer: the growth of its shortest waves, which is 0 on land.
-fn short_gain(setup: &Setup, variances: &Variances<'_>) -> Vec<f64> {
+fn short_gain(setup: &Setup, short: &ShortWaves<'_>) -> Vec<f64> {
     let grid = &setup.grid;
     let is_wet = |point: usize| grid.depth_m[point] > 0.0;
     let gain = |point: usize| {
         let depth_m = f64::from(grid.depth_m[point]);
-        if variances.open_short > 0.0 {
-            (variances.short[point] / variances.open_short).sqrt().min(MAX_SHORT_GAIN)
+        if short.open_m2 > 0.0 {
+            (short.solved_m2[point] / short.open_m2).sqrt().min(MAX_SHORT_GAIN)
         } else {
             smooth_step(depth_m / UNTOUCHED_M)
         }

@@ -26,6 +26,9 @@ const MARGIN_TEXELS: f64 = 9.0;
 /// Shortest wave in the open sea, in cells of the grid, for waves that only travel shoreward, and for those that are
 /// reflected: against the carrier, these have twice the wave number.
 const SHORTEST_CELLS: [f64; 2] = [2.5, 6.0];
+/// Largest phase (rad) of a wave of the open sea in a step of the march. The envelopes of the waves here need no finer
+/// steps; finer ones would take four times as long.
+const MAX_PHASE_PER_CELL: f64 = 1.3;
 /// Length of a wave at the shore, in texels.
 const SHORE_WAVE_TEXELS: f64 = 3.0;
 /// Limits of the least depth of carriers, m.
@@ -69,7 +72,13 @@ impl Setup {
     pub(super) fn new(plan: &Plan, coast: &PlacedCoast, limits: &TransferLimits) -> Self {
         let solver = Solver::of(coast);
         let gravity_m_s2 = plan.sea.gravity_m_s2;
-        let options = Options { gravity_m_s2, losses: limits.losses, threads: limits.threads, ..Options::default() };
+        let options = Options {
+            gravity_m_s2,
+            losses: limits.losses,
+            threads: limits.threads,
+            max_phase_per_cell_rad: MAX_PHASE_PER_CELL,
+            ..Options::default()
+        };
         let placement = coast.placement();
         let foreshore = foreshore_slope(coast);
         let coast = &PlacedCoast { bathymetry: grid(coast, solver, limits), ..coast.clone() };
@@ -82,12 +91,12 @@ impl Setup {
         let count = limits.max_waves.min(limits.max_bytes / (4 * points));
         let lattice_waves = match plan.cascades.first() {
             Some(cascade) if !plan.is_calm() => {
-                strongest_waves_of_cascade(plan, cascade, placement, count, shortest_m, MAX_OPEN_ANGLE_RAD)
+                strongest_waves_of_cascade(plan, cascade, placement, usize::MAX, shortest_m, MAX_OPEN_ANGLE_RAD)
             }
             _ => Vec::new(),
         };
-        let waves: Vec<Wave> =
-            lattice_waves.iter().filter_map(|wave| arrived(plan, wave, placement, &arrival)).collect();
+        let arrived = |wave| arrived(plan, wave, placement, &arrival);
+        let waves: Vec<Wave> = lattice_waves.iter().filter_map(arrived).take(count).collect();
         let bins = spectrum_bins(plan, placement.turn_rad, FREQUENCY_BINS, DIRECTION_BINS, MAX_OPEN_ANGLE_RAD);
         let hs_m = 4.0 * bins.iter().map(Incident::variance_m2).sum::<f64>().sqrt();
         let tp_s = TAU / plan.omega_p;

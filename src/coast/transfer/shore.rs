@@ -11,17 +11,9 @@ pub(super) struct Shore {
 pub(super) struct Place {
     /// Its index.
     pub(super) point: usize,
-    /// Points around it that are nearer to the open water, from which its waves come.
-    pub(super) sources: Vec<Source>,
-}
-
-/// A point from which waves come.
-pub(super) struct Source {
-    pub(super) point: usize,
-    /// Its share; the shares of all sources add up to 1.
-    pub(super) weight: f64,
-    /// Its distance, m.
-    pub(super) distance_m: f64,
+    /// Points around it that are nearer to the open water, from which its waves come, each with its share: the shares add up
+    /// to 1.
+    pub(super) sources: Vec<(usize, f64)>,
 }
 
 impl Shore {
@@ -51,7 +43,7 @@ impl Shore {
     /// Continues a map over the land of the shore by the means of the sources.
     pub(super) fn continue_map(&self, grid: &Bathymetry, map: &mut [f64]) {
         for place in self.places.iter().filter(|place| grid.depth_m[place.point] <= 0.0) {
-            map[place.point] = place.sources.iter().map(|source| source.weight * map[source.point]).sum();
+            map[place.point] = place.sources.iter().map(|(source, weight)| weight * map[*source]).sum();
         }
     }
 }
@@ -66,18 +58,13 @@ pub(super) fn neighbours(grid: &Bathymetry, point: usize) -> impl Iterator<Item 
 }
 
 /// The shares of the points `around`: a nearer one counts for more.
-fn sources(grid: &Bathymetry, point: usize, around: &[usize]) -> Vec<Source> {
-    let distance = |at: usize| {
+fn sources(grid: &Bathymetry, point: usize, around: &[usize]) -> Vec<(usize, f64)> {
+    let weight = |at: usize| {
         let is_diagonal = at % grid.columns != point % grid.columns && at / grid.columns != point / grid.columns;
-        if is_diagonal { std::f64::consts::SQRT_2 } else { 1.0 }
+        if is_diagonal { 0.5 } else { 1.0 }
     };
-    let sum: f64 = around.iter().map(|at| distance(*at).powi(-2)).sum();
-    let source = |at: &usize| Source {
-        point: *at,
-        weight: distance(*at).powi(-2) / sum,
-        distance_m: distance(*at) * grid.cell_m,
-    };
-    around.iter().map(source).collect()
+    let sum: f64 = around.iter().map(|at| weight(*at)).sum();
+    around.iter().map(|at| (*at, weight(*at) / sum)).collect()
 }
 
 #[cfg(test)]
@@ -96,7 +83,7 @@ mod tests {
         // The cliff is 4 m high at the sea's edge of the grid: only its first row beside the water is reached.
         assert!(place(3, 6).is_some() && place(3, 7).is_none());
         for place in &shore.places {
-            let sum: f64 = place.sources.iter().map(|source| source.weight).sum();
+            let sum: f64 = place.sources.iter().map(|source| source.1).sum();
             assert!((sum - 1.0).abs() < 1e-12 && !place.sources.is_empty());
         }
     }

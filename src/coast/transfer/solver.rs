@@ -1,10 +1,10 @@
 //! Makes a transfer in small steps.
 
-use super::envelopes::{Envelopes, shore_wave_number};
-use super::points::{Variances, points};
+use super::envelopes::Envelopes;
+use super::points::{ShortWaves, points};
 use super::setup::Setup;
 use super::shore::Shore;
-use super::swash::wanted_variance_m2;
+use super::swash::Swash;
 use super::{Transfer, TransferLimits, TransferWave};
 use crate::coast::elliptic::EllipticSolver;
 use crate::coast::field::ComponentField;
@@ -66,8 +66,7 @@ enum Stage {
 struct Ashore {
     sea: Dissipation,
     shore: Shore,
-    /// Variance that the waves should have at each point, m^2.
-    wanted_m2: Vec<f64>,
+    swash: Swash,
     /// Points at which the waves are multiplied by a factor.
     factors: Vec<(usize, f64)>,
 }
@@ -111,7 +110,7 @@ impl TransferSolver {
                 MARCHED + (SOLVED - MARCHED) * done
             }
             Stage::Ashore(ashore, next) if next < waves => {
-                self.continue_ashore(&ashore.shore, next);
+                self.envelopes.continue_ashore(next, &self.setup.waves[next], &ashore.shore);
                 self.stage = Stage::Ashore(ashore, next + 1);
                 SOLVED + 0.5 * (1.0 - SOLVED) * of_waves(next)
             }
@@ -191,15 +190,8 @@ impl TransferSolver {
         // Twice the standard deviation of the swash above the mean level: half the height, and as much for rare waves.
         let reach_m = run_up.map_or(0.0, |run_up| run_up.set_up_m + run_up.swash_m);
         let shore = Shore::new(grid, *least_depth_m, reach_m);
-        let wanted_m2 = wanted_variance_m2(&self.setup, &sea, &self.envelopes.variance_m2, &shore);
-        Stage::Ashore(Box::new(Ashore { sea, shore, wanted_m2, factors: Vec::new() }), 0)
-    }
-
-    fn continue_ashore(&mut self, shore: &Shore, index: usize) {
-        let wave = &self.setup.waves[index];
-        let group = &self.setup.groups[wave.group as usize];
-        let k = shore_wave_number(wave, self.setup.least_depth_m, self.setup.options.gravity_m_s2);
-        self.envelopes.continue_ashore(index, wave, group, shore, k);
+        let swash = Swash::new(&self.setup, &sea, &self.envelopes.variance_m2, &shore);
+        Stage::Ashore(Box::new(Ashore { sea, shore, swash, factors: Vec::new() }), 0)
     }
 
     /// The factors that give the waves the variance that they should have.
@@ -212,7 +204,7 @@ impl TransferSolver {
             let factor = if *has > 0.0 { (wanted / has).sqrt().min(MAX_RAISE) } else { 1.0 };
             (factor != 1.0).then_some((point, factor))
         };
-        ashore.wanted_m2.iter().zip(&has_m2).enumerate().filter_map(factor).collect()
+        ashore.swash.variance_m2.iter().zip(&has_m2).enumerate().filter_map(factor).collect()
     }
 
     fn transfer(&mut self, ashore: &Ashore) -> Transfer {
@@ -224,7 +216,7 @@ impl TransferSolver {
             .filter(|(_, is_short)| **is_short)
             .map(|(w, _)| 0.5 * w.open_amplitude_m.powi(2))
             .sum();
-        let variances = Variances { all: &ashore.wanted_m2, short: &self.envelopes.short_variance_m2, open_short };
+        let short = ShortWaves { solved_m2: &self.envelopes.short_variance_m2, open_m2: open_short };
         let wave = |wave: &super::setup::Wave| TransferWave {
             lattice_index: wave.lattice_index,
             omega_rad_s: wave.omega_rad_s,
@@ -238,7 +230,7 @@ impl TransferSolver {
             lattice: setup.lattice,
             waves: setup.waves.iter().map(wave).collect(),
             groups: setup.groups.clone(),
-            points: points(setup, &ashore.sea, &ashore.shore, &variances),
+            points: points(setup, &ashore.sea, &ashore.shore, &ashore.swash, &short),
             envelopes: std::mem::take(&mut self.envelopes.packed),
         }
     }

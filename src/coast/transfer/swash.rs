@@ -21,26 +21,40 @@ const NEARBY_CELLS: [usize; 2] = [3, 24];
 /// Fraction of the depth at which the swash begins below which it has its whole height.
 const WHOLE_BELOW: f64 = 0.4;
 
-/// The variance of the level, m^2, that the waves of a transfer should have at each point. `solved_m2` is the variance that
-/// they have by the solution.
-pub(super) fn wanted_variance_m2(setup: &Setup, sea: &Dissipation, solved_m2: &[f64], shore: &Shore) -> Vec<f64> {
-    let grid = &setup.grid;
-    let mut wanted = solved_m2.to_vec();
-    if let Some(run_up) = setup.run_up {
-        let height_m: Vec<f64> = sea.variance_m2.iter().map(|m0| 4.0 * f64::from(*m0).sqrt()).collect();
-        let begin_m = beginning_m(grid, &sea.variance_m2, run_up.swash_m);
-        let cells = nearby_cells(grid, begin_m);
-        for (point, wanted) in wanted.iter_mut().enumerate() {
-            let depth_m = f64::from(grid.depth_m[point]);
-            if depth_m > 0.0 && depth_m < begin_m {
-                let swash_m = run_up.swash_m.min(SWASH_TO_WAVES * highest_nearby_m(grid, &height_m, point, cells));
-                let part = smooth_step((begin_m - depth_m) / ((1.0 - WHOLE_BELOW) * begin_m));
-                *wanted += part * ((swash_m / 4.0).powi(2) - *wanted).max(0.0);
+/// How the level should vary at each point.
+pub(super) struct Swash {
+    /// Variance of the level, m^2.
+    pub(super) variance_m2: Vec<f64>,
+    /// Share of the set-up of the beach, by the formula of Stockdon et al. 2006, in the mean level: 0 where the waves break,
+    /// to the height of the swash here over that of an open beach.
+    pub(super) set_up_share: Vec<f64>,
+}
+
+impl Swash {
+    /// The swash of a sea whose waves have the variance `solved_m2` (m^2) by the solution.
+    pub(super) fn new(setup: &Setup, sea: &Dissipation, solved_m2: &[f64], shore: &Shore) -> Self {
+        let grid = &setup.grid;
+        let mut out = Self { variance_m2: solved_m2.to_vec(), set_up_share: vec![0.0; solved_m2.len()] };
+        if let Some(run_up) = setup.run_up.filter(|run_up| run_up.swash_m > 0.0) {
+            let height_m: Vec<f64> = sea.variance_m2.iter().map(|m0| 4.0 * f64::from(*m0).sqrt()).collect();
+            let begin_m = beginning_m(grid, &sea.variance_m2, run_up.swash_m);
+            let cells = nearby_cells(grid, begin_m);
+            for point in 0..solved_m2.len() {
+                let depth_m = f64::from(grid.depth_m[point]);
+                if depth_m > 0.0 && depth_m < begin_m {
+                    let nearby_m = highest_nearby_m(grid, &height_m, point, cells);
+                    let swash_m = run_up.swash_m.min(SWASH_TO_WAVES * nearby_m);
+                    let part = smooth_step((begin_m - depth_m) / ((1.0 - WHOLE_BELOW) * begin_m));
+                    let wanted = &mut out.variance_m2[point];
+                    *wanted += part * ((swash_m / 4.0).powi(2) - *wanted).max(0.0);
+                    out.set_up_share[point] = part * swash_m / run_up.swash_m;
+                }
             }
         }
+        shore.continue_map(grid, &mut out.variance_m2);
+        shore.continue_map(grid, &mut out.set_up_share);
+        out
     }
-    shore.continue_map(grid, &mut wanted);
-    wanted
 }
 
 /// Depth, m, in which the sea is as high as the swash of the height `swash_m` (m), seen from the shore; where the sea is

@@ -72,9 +72,9 @@ fn open_sea(plan: &Plan, transfer: &Transfer, at: [f64; 2], t_s: f64) -> [f64; 5
 fn over_a_flat_bed_the_transfer_is_the_open_sea() {
     let plan = plan("depth=20&hs=2&tp=10&dir=250&n=64&spread=donelan-banner");
     let coast = flat(20.0, 50.0, 121, 4.0);
-    let limits = TransferLimits { points: 121, losses: Losses::NONE, ..TransferLimits::default() };
+    let limits = TransferLimits { points: 121, max_waves: 250, losses: Losses::NONE, ..TransferLimits::default() };
     let transfer = Arc::new(solved(&plan, &coast, &limits));
-    assert!(transfer.waves.len() > 300 && transfer.groups.len() <= 64, "{}", transfer.waves.len());
+    assert!(transfer.waves.len() == 250 && transfer.groups.len() <= 64, "{}", transfer.waves.len());
     let waves = CoastalWaves::new(transfer.clone(), &plan).expect("the same lattice");
     let (mut worst, mut squares) = ([0.0_f64; 5], [0.0; 5]);
     let mut samples = 0.0;
@@ -99,7 +99,7 @@ fn over_a_flat_bed_the_transfer_is_the_open_sea() {
     // The waves take the greater part of the energy of their lattice that travels shoreward.
     let table = SpectrumTable::new(&plan, &plan.cascades[0]);
     let all: f64 = lattice_indices(64).map(|(ix, iz)| 4.0 * table.variance(ix, iz)).sum();
-    assert!(squares[0] / samples > 0.6 * all, "{} of {all}", squares[0] / samples);
+    assert!(squares[0] / samples > 0.5 * all, "{} of {all}", squares[0] / samples);
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn the_beach_has_surf_and_swash() {
         PlacedCoast::built_in(BuiltInCoast::find(name).expect("a coast"), &PlacingOptions::default()).expect("a place")
     };
     let coast = placed("beach");
-    let limits = TransferLimits { max_waves: 150, points: 96, ..TransferLimits::default() };
+    let limits = TransferLimits { max_waves: 60, points: 96, ..TransferLimits::default() };
     let transfer = solved(&sea, &coast, &limits);
     let setup = setup::Setup::new(&sea, &coast, &limits);
     let run_up = setup.run_up.expect("a shore");
@@ -138,7 +138,7 @@ fn the_beach_has_surf_and_swash() {
         setup.waves.iter().enumerate().map(of_wave).sum()
     };
     let (mut deep, mut swash) = (0, 0);
-    for point in (0..points).step_by(7) {
+    for point in (0..points).step_by(3) {
         let depth_m = setup.grid.depth_m[point];
         let got = variance(point);
         let solver: f64 = fields
@@ -155,14 +155,14 @@ fn the_beach_has_surf_and_swash() {
             let sigma_m = run_up.swash_m / 4.0;
             assert!((got.sqrt() / sigma_m - 1.0).abs() < 0.1, "depth {depth_m}: {} of {sigma_m}", got.sqrt());
             let level_m = f64::from(transfer.points[point].set_up_m);
-            assert!((0.4..1.6).contains(&(level_m / run_up.set_up_m)), "{level_m} {run_up:?}");
+            assert!((0.9..1.1).contains(&(level_m / run_up.set_up_m)), "{level_m} {run_up:?}");
             swash += 1;
         }
         let p = &transfer.points[point];
         assert!((0.0..=1.3).contains(&p.short_gain) && (depth_m > 0.0 || p.short_gain == 0.0), "{p:?}");
         assert!((0.0..=1.0).contains(&p.weight) && p.breaking_height_m > 0.0);
     }
-    assert!(deep > 300 && swash > 10, "{deep} {swash}");
+    assert!(deep > 600 && swash > 15, "{deep} {swash}");
     // The same sea gives the same transfer, whatever the number of threads.
     let alone = solved(&sea, &coast, &TransferLimits { threads: 1, ..limits });
     assert_eq!(alone, transfer);
@@ -202,5 +202,46 @@ fn a_sea_without_shoreward_waves_has_an_empty_transfer() {
     assert!(transfer.waves.is_empty() && transfer.envelopes.is_empty());
     for point in &transfer.points {
         assert!(point.weight == 0.0 && (point.depth_m > 2.0) <= (point.short_gain > 0.99), "{point:?}");
+    }
+}
+
+/// The time of a whole transfer, with one thread as on the page, and of its longest step.
+#[test]
+#[ignore = "measures time: cargo test --release --lib load_of_a_transfer -- --ignored --nocapture"]
+fn load_of_a_transfer() {
+    for coast in &crate::coast::built_in::BUILT_IN {
+        let placed = PlacedCoast::built_in(coast, &PlacingOptions::default()).expect("a place");
+        let depth_m = crate::coast::open_sea::edge_depth_m(&placed);
+        let from = (placed.toward_deg + 180.0) % 360.0;
+        let sea = plan(&format!("depth={depth_m:.1}&hs=1.5&tp=9&dir={from}"));
+        let limits = TransferLimits { threads: 1, ..TransferLimits::default() };
+        let now = || {
+            #[allow(clippy::disallowed_methods, reason = "a test on the desktop")]
+            std::time::Instant::now()
+        };
+        let begun = now();
+        let mut solver = TransferSolver::new(&sea, &placed, &limits);
+        let prepared_s = begun.elapsed().as_secs_f64();
+        let (mut longest_s, mut steps) = (0.0_f64, 0);
+        loop {
+            let step = now();
+            let done = solver.step();
+            (longest_s, steps) = (longest_s.max(step.elapsed().as_secs_f64()), steps + 1);
+            if done >= 1.0 {
+                break;
+            }
+        }
+        let transfer = solver.finish();
+        let total_s = begun.elapsed().as_secs_f64();
+        eprintln!(
+            "{}: {} waves, {} groups, {} x {} points of {:.1} m: {total_s:.2} s, prepared in {prepared_s:.3} s, {steps} \
+             steps of at most {longest_s:.3} s",
+            coast.name,
+            transfer.waves.len(),
+            transfer.groups.len(),
+            transfer.columns,
+            transfer.rows,
+            transfer.cell_m,
+        );
     }
 }

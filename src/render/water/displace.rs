@@ -142,8 +142,9 @@ impl DisplacePass {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::render::SHARED_STRUCTS;
     use crate::render::scene::SeaAppearance;
-    use crate::render::{SHARED_STRUCTS, mesh_density};
+    use crate::render::water::mesh::mesh_density;
     use crate::state::camera::View;
     use crate::state::params::Camera;
 
