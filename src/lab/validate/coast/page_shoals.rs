@@ -99,9 +99,9 @@ pub fn add_elliptic_shoal(page: &mut MarkdownPage) -> Result<(), String> {
          cases of FUNWAVE-TVD give them. x is the distance behind the middle of the shoal, y that along the crests. The \
          index of agreement is Willmott's (1981), 1 for equal curves. The waves are 4.64 cm high and in the focus twice \
          as high, in 20 cm of water: the linear equation leaves out that high waves are faster, which defocuses them. The \
-         last column shows that this is the difference: there the parabolic solution is repeated with the speed that the \
-         dispersion relation of Kirby and Dalrymple (1986) gives for the height of the round before. The program's seas \
-         are sums of linear waves and stay without it.",
+         last column repeats the parabolic solution with the speed that the dispersion relation of Kirby and Dalrymple \
+         (1986) gives for the height of the round before. It explains the difference in sections 2 to 7; sections 1 and \
+         8 keep theirs. The program's seas are sums of linear waves and stay without it.",
     );
     let (mut figures, mut rows) = (Vec::new(), Vec::new());
     let places = ["x = 1 m", "x = 3 m", "x = 5 m", "x = 7 m", "x = 9 m", "y = -2 m", "y = 0 m", "y = 2 m"];
