@@ -1,7 +1,8 @@
 // What the land looks like: sand, dune grass and heath, rock, the blocks of breakwaters and the concrete of a quay.
 
-// Side of the tile of the noise over hundreds of metres, m.
+// Sides of the tiles of noise over hundreds of metres, and over kilometres, m.
 const LAND_WIDE_M = 437.0;
+const LAND_REGION_M = 2230.0;
 // Slopes between which land becomes rock.
 const LAND_ROCK_SLOPES = vec2f(0.45, 0.85);
 // Height above the still water, m, at which the first dune grass grows.
@@ -13,11 +14,11 @@ const LAND_MARRAM = vec3f(0.112, 0.122, 0.056);
 const LAND_STRAW = vec3f(0.235, 0.200, 0.112);
 const LAND_HEATH = vec3f(0.072, 0.068, 0.036);
 const LAND_TURF = vec3f(0.078, 0.094, 0.034);
-const LAND_SCRUB = vec3f(0.024, 0.033, 0.016);
+const LAND_SCRUB = vec3f(0.036, 0.045, 0.020);
 const LAND_ROCK = vec3f(0.235, 0.200, 0.160);
 const LAND_DARK_ROCK = vec3f(0.105, 0.092, 0.080);
 const LAND_WEED = vec3f(0.030, 0.034, 0.016);
-const LAND_BLOCK = vec3f(0.260, 0.250, 0.235);
+const LAND_BLOCK = vec3f(0.175, 0.168, 0.155);
 const LAND_CONCRETE = vec3f(0.400, 0.385, 0.355);
 
 struct LandGround {
@@ -58,15 +59,17 @@ fn land_plants(
 ) -> LandGround {
   let grown = height - LAND_GRASS_M + 0.45 * middle.z + 0.5 * wide.z;
   // The front of a dune has single tufts, its back is green.
-  let cover = saturate(0.30 * grown);
-  let tufts = maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.4 + 3.2 * cover);
+  let cover = saturate(0.36 * grown);
+  let tufts = maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.2 + 3.2 * cover);
   let back = maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5) + 0.55 * wide.z);
   let tips = saturate(0.5 + 0.32 * fine.z + 0.2 * middle.z);
   var green = mix(LAND_MARRAM, LAND_STRAW, 0.75 * tips);
-  let soil = mix(LAND_HEATH, LAND_TURF, saturate(0.5 + 0.6 * wide.w));
-  green = mix(green, soil * (1.0 + 0.22 * fine.z), back);
-  let scrub = maths_smooth(0.9 * (0.5 * middle.w + 0.9 * wide.z + 0.3 * middle.z) - 0.1) * back;
-  if scrub > 0.0 {
+  if back > 0.0 {
+    let region = land_noise(land_turned(place), LAND_REGION_M, size);
+    let soil = mix(LAND_HEATH, LAND_TURF, saturate(0.5 + 0.35 * wide.w + 0.4 * region.w));
+    green = mix(green, soil * max(1.0 + 0.2 * fine.z + 0.16 * middle.z + 0.1 * region.z, 0.4), back);
+    let thicket = 0.75 * region.z + 0.45 * wide.z + 0.3 * middle.w;
+    let scrub = maths_smooth(0.8 * thicket - 0.05) * back;
     // Round crowns, bright towards the sun.
     let toward = vec2f(dot(frame.sun_direction.xz, land.shoreward),
       frame.sun_direction.z * land.shoreward.x - frame.sun_direction.x * land.shoreward.y);

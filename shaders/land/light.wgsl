@@ -48,10 +48,19 @@ fn light_vertex(@builtin(vertex_index) i: u32) -> LandFragment {
   return LandFragment(vec4f(at, 1e-30, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
 }
 
+// How far a place in the frame of the coast lies beyond its rectangle: 0 within, 1 from 100 m on. There the mesh alone
+// knows the land.
+fn land_beyond(place: vec2f) -> f32 {
+  let outside = max(max(-place, place - land.side_m), vec2f(0.0));
+  return maths_smooth(0.01 * max(outside.x, outside.y));
+}
+
 // Number of steps of a ray towards the sun, the first one, m, and how much longer each is than the one before.
 const LAND_SHADOW_STEPS = 11;
 const LAND_FIRST_STEP_M = 1.5;
 const LAND_STEP_RATIO = 1.6;
+// Height, m, by which the map is lowered where it does not know the land.
+const LAND_NO_SHADE_M = 200.0;
 
 // Fraction of the sun's disc that the land leaves visible from a place in the frame of the coast.
 fn land_visible_sun(place: vec2f, height: f32, size: f32) -> f32 {
@@ -64,7 +73,8 @@ fn land_visible_sun(place: vec2f, height: f32, size: f32) -> f32 {
   var least = 1e3;
   for (var i = 0; i < LAND_SHADOW_STEPS; i++) {
     far_m += step_m;
-    let ground = land_at(place + toward * far_m, land_lod(0.5 * step_m)).x;
+    let at = place + toward * far_m;
+    let ground = land_at(at, land_lod(0.5 * step_m)).x - LAND_NO_SHADE_M * land_beyond(at);
     // Half the width of the penumbra, and what the map does not resolve.
     least = min(least, (height + far_m * rise - ground) / (0.012 * far_m + 0.08 * step_m));
     step_m *= LAND_STEP_RATIO;
@@ -116,8 +126,7 @@ fn light_fragment(in: LandFragment) -> @location(0) vec4f {
   let height = position.y + frame.eye_height_m + dot(position.xz, position.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
   let place = land_place(position.xz);
   // Beyond the coast's rectangle the slope is that of the mesh.
-  let outside = max(max(-place, place - land.side_m), vec2f(0.0));
-  let is_outside = maths_smooth(0.01 * max(outside.x, outside.y));
+  let is_outside = land_beyond(place);
   let mesh_slope = textureLoad(slope_map, pixel, 0).xy;
   // Texels that cover the pixel on the ground: the mean of its two sides.
   let facing = max(-dir.y + dot(land_to_world(mesh_slope), dir.xz), 0.0) * inverseSqrt(1.0 + dot(mesh_slope, mesh_slope));
@@ -136,7 +145,7 @@ fn light_fragment(in: LandFragment) -> @location(0) vec4f {
   let tilt = land_to_world(slope + ground.relief);
   let n = vec3f(-tilt.x, 1.0, -tilt.y) * inverseSqrt(1.0 + dot(tilt, tilt));
   let l = frame.sun_direction;
-  let open = land_open_sky(place, height, size);
+  let open = mix(land_open_sky(place, height, size), 1.0, is_outside);
   // What faces the ground gets the light of the ground.
   let level = sunlight * max(l.y, 0.0) + light.sky_irradiance;
   let up = 0.5 + 0.5 * n.y;
