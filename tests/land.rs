@@ -112,9 +112,11 @@ fn the_waterline_is_where_the_ground_rises_above_the_water_and_has_no_dark_rim()
     let (mut land, mut water) = (Vec::new(), Vec::new());
     for ([x, height_m, z], light) in &pixels {
         let ground_m = -beach.depth_at_m([*x, *z]);
-        // The grid of the coast has 7.5 m between its points, between which the picture follows the formula.
+        // The grid of the coast has 7.5 m between its points, between which the picture follows the formula. Higher up the
+        // picture adds hummocks, which the waves do not know.
         let want = ground_m.max(0.0);
-        assert!((height_m - want).abs() < 0.12, "{height_m} m at {x} {z}, not {want}");
+        let is_smooth = ground_m < 1.9;
+        assert!(!is_smooth || (height_m - want).abs() < 0.12, "{height_m} m at {x} {z}, not {want}");
         if ground_m.abs() < 0.5 {
             if *height_m > 0.02 { land.push(light[1]) } else { water.push((ground_m, light[1])) }
         }
