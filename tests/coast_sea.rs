@@ -145,7 +145,16 @@ fn records_over_the_built_in_coasts() {
         assert_eq!(coast.gauges.len(), random::GAUGES, "{}", coast.title);
         assert!(coast.share > 0.6, "{}: {}", coast.title, coast.share);
         for g in &coast.gauges {
-            eprintln!("{} h {:.1} hs {:.2} dev {:.2} k {:.3} g {:.3} s {:.3}", coast.title, g.depth_m, g.hs_m().0, g.deviation(), g.kurtosis.value, g.groupiness.value, g.succession.value);
+            eprintln!(
+                "{} h {:.1} hs {:.2} dev {:.2} k {:.3} g {:.3} s {:.3}",
+                coast.title,
+                g.depth_m,
+                g.hs_m().0,
+                g.deviation(),
+                g.kurtosis.value,
+                g.groupiness.value,
+                g.succession.value
+            );
         }
         for gauge in &coast.gauges {
             beyond += usize::from(gauge.deviation().abs() > 2.0);

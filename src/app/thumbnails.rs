@@ -7,6 +7,9 @@ use crate::state::presets;
 /// Size at which a thumbnail is shown, points.
 pub const SHOWN_SIZE: egui::Vec2 = egui::vec2(96.0, 54.0);
 
+/// Columns of the texture: one column of all pictures would be higher than textures may be everywhere.
+const COLUMNS: usize = 2;
+
 /// The thumbnails, which are loaded when they are first asked for.
 #[derive(Default)]
 pub struct Thumbnails {
@@ -25,17 +28,33 @@ impl Thumbnails {
         }
         for result in self.loaded.take() {
             match result {
-                Ok(image) => self.texture = Some(ctx.load_texture("thumbnails", image, egui::TextureOptions::LINEAR)),
+                Ok(image) => {
+                    let image = in_columns(&image, presets::built_in().len());
+                    self.texture = Some(ctx.load_texture("thumbnails", image, egui::TextureOptions::LINEAR));
+                }
                 // The cards say all that the pictures show.
                 Err(reason) => log::warn!("the pictures of the named seas are missing: {reason}"),
             }
         }
         let texture = self.texture.as_ref()?;
-        let count = presets::built_in().len() as f32;
-        let rows = [index as f32 / count, (index + 1) as f32 / count];
-        let uv = egui::Rect::from_min_max(egui::pos2(0.0, rows[0]), egui::pos2(1.0, rows[1]));
+        let rows = presets::built_in().len().div_ceil(COLUMNS);
+        let size = egui::vec2((COLUMNS as f32).recip(), (rows as f32).recip());
+        let place = egui::vec2((index / rows) as f32, (index % rows) as f32);
+        let uv = egui::Rect::from_min_size((place * size).to_pos2(), size);
         Some(egui::Image::new((texture.id(), SHOWN_SIZE)).uv(uv).fit_to_exact_size(SHOWN_SIZE).corner_radius(6.0))
     }
+}
+
+/// Arranges `count` pictures that lie below each other in columns beside each other.
+fn in_columns(image: &egui::ColorImage, count: usize) -> egui::ColorImage {
+    let [width, height] = [image.size[0], image.size[1] / count.max(1)];
+    let rows = count.div_ceil(COLUMNS);
+    let mut out = egui::ColorImage::filled([COLUMNS * width, rows * height], egui::Color32::TRANSPARENT);
+    for (y, line) in image.pixels.chunks(width).take(count * height).enumerate() {
+        let (column, row) = (y / (rows * height), y % (rows * height));
+        out.pixels[(row * COLUMNS + column) * width..][..width].copy_from_slice(line);
+    }
+    out
 }
 
 /// Decodes the file, which is built into the program.

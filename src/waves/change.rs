@@ -64,6 +64,8 @@ mod tests {
         let (low, high) = match field.kind {
             FieldKind::Number { min, max, .. } => (min, max),
             FieldKind::Integer { min, max } => (f64::from(min), f64::from(max)),
+            // The last coast is a file, without which the sea stays open.
+            FieldKind::Choice(_) if key == "coast" => (0.0, 1.0),
             FieldKind::Choice(words) => (0.0, words.len() as f64 - 1.0),
             _ => (0.0, 1.0),
         };

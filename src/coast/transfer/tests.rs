@@ -185,8 +185,11 @@ fn every_built_in_coast_has_a_transfer() {
             let group = &transfer.groups[wave.group as usize];
             assert!((group.first_wave..group.first_wave + group.wave_count).contains(&index));
         }
-        let highest = transfer.envelopes.iter().map(|t| half_float::unpack(*t).modulus()).fold(0.0, f64::max);
-        assert!(highest > 1.0 && highest < 12.0, "{}: {highest}", coast.name);
+        // The few waves of this test carry the swash of the whole sea, so that they are several times as high there.
+        let square = |index: usize| half_float::unpack(transfer.envelopes[index]).norm_squared();
+        let mean = |point: usize| (0..24).map(|wave| square(wave * points + point)).sum::<f64>() / 24.0;
+        let highest = (0..points).map(mean).fold(0.0, f64::max).sqrt();
+        assert!(highest > 1.0 && highest < 8.0, "{}: {highest}", coast.name);
         let finite = |p: &SeaAtPoint| p.set_up_m.is_finite() && p.set_up_m.abs() < 1.5 && p.short_gain.is_finite();
         assert!(transfer.points.iter().all(finite), "{}", coast.name);
     }
