@@ -79,9 +79,9 @@ impl Lab {
         }
         ocean.set_params(p);
         if solves_coast {
-            ocean.solve_coast()
+            ocean.solve_coast();
         } else {
-            ocean.show_coast(Default::default())
+            ocean.show_coast(Default::default());
         }
         let mut encoder = gpu.encoder("test");
         // A few steps of the foam are enough to break a picture.

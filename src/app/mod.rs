@@ -268,6 +268,38 @@ impl App {
         self.discard_measurements();
     }
 
+    /// Brings everything but the picture up to this frame: input, time, files, history, measurements, the governor.
+    fn advance(&mut self, ctx: &egui::Context) {
+        self.apply_text_size(ctx);
+        self.forget_tilt_button();
+        self.advance_picture_job();
+        self.handle_keys(ctx);
+        self.advance_time(ctx);
+        self.advance_slow_camera(ctx);
+        #[cfg(target_arch = "wasm32")]
+        self.advance_film();
+        self.take_opened_files(ctx);
+        self.take_save_results();
+        self.watch_history(ctx);
+        self.update_derived_sea_data();
+        self.extend_height_record();
+        self.advance_sea_measurement(ctx);
+        let interval_s = f64::from(ctx.input(|i| i.unstable_dt));
+        if self.progress.is_first_picture_pending() {
+            self.quality.note_idle_frame(interval_s);
+        } else {
+            let times = FrameTimes {
+                interval_s,
+                gpu: self.frame_measurements.take_gpu_time(),
+                time_is_stopped: self.stands_still(),
+                has_extra_work: self.progress.is_replaying_foam_or_fading()
+                    || self.panel.sheet.is_moving()
+                    || self.coast.slows_frames(),
+            };
+            self.quality.adapt(times, &self.params.screen);
+        }
+    }
+
     /// Copy of the current parameters, with the FFT size and the light that adaptive quality allows, and with the slow
     /// camera; the frame is drawn with it.
     fn params_to_draw(&self) -> Params {
@@ -304,34 +336,7 @@ impl eframe::App for App {
         if let Err(reason) = self.languages.update(self.params.screen.language, &ctx) {
             self.notices.push(reason);
         }
-        self.apply_text_size(&ctx);
-        self.forget_tilt_button();
-        self.advance_picture_job();
-        self.handle_keys(&ctx);
-        self.advance_time(&ctx);
-        self.advance_slow_camera(&ctx);
-        #[cfg(target_arch = "wasm32")]
-        self.advance_film();
-        self.take_opened_files(&ctx);
-        self.take_save_results();
-        self.watch_history(&ctx);
-        self.update_derived_sea_data();
-        self.extend_height_record();
-        self.advance_sea_measurement(&ctx);
-        let interval_s = f64::from(ctx.input(|i| i.unstable_dt));
-        if self.progress.is_first_picture_pending() {
-            self.quality.note_idle_frame(interval_s);
-        } else {
-            let times = FrameTimes {
-                interval_s,
-                gpu: self.frame_measurements.take_gpu_time(),
-                time_is_stopped: self.stands_still(),
-                has_extra_work: self.progress.is_replaying_foam_or_fading()
-                    || self.panel.sheet.is_moving()
-                    || self.coast.slows_frames(),
-            };
-            self.quality.adapt(times, &self.params.screen);
-        }
+        self.advance(&ctx);
         let interface = if self.is_filming() { Interface::None } else { self.params.screen.interface };
         if interface == Interface::Panel {
             panel::show_bottom_sheet(self, ui);

@@ -123,21 +123,24 @@ fn run(cli: Cli) -> Result<i32, String> {
             if json { pretty_json(&bench::report_json(&report)) } else { report.to_string() }
         }
         Some(Command::Info { json }) => about(json)?,
-        Some(Command::Validate { output, seeds, only }) => {
-            let parts = only.as_deref().map_or(validate::PAGE_PARTS.to_vec(), |part| vec![part]);
-            let page = validate::build_validation_page(Some(&gpu()?), seeds, &parts)?;
-            if only.is_some() {
-                page.write_chapters(&output)?
-            } else {
-                page.write(&output)?
-            }
-            format!("{} and {} figures", output.join("validation.md").display(), page.figure_svgs().len())
-        }
+        Some(Command::Validate { output, seeds, only }) => write_validation(&output, seeds, only.as_deref())?,
         Some(Command::Gallery { output, only, thumbnails }) => draw_gallery(&output, &only, thumbnails.as_deref())?,
         Some(Command::Keys { markdown: true }) => parameters::parameters_markdown(),
         Some(Command::Keys { markdown: false }) => parameters::parameter_listing(),
     };
     print_to_stdout(&text).map(|()| 0)
+}
+
+/// Writes the validation page, or only one part of it, and returns a line for the terminal.
+fn write_validation(output: &Path, seeds: u32, only: Option<&str>) -> Result<String, String> {
+    let parts = only.map_or(validate::PAGE_PARTS.to_vec(), |part| vec![part]);
+    let page = validate::build_validation_page(Some(&block_on(Gpu::request())?), seeds, &parts)?;
+    if only.is_some() {
+        page.write_chapters(output)?;
+    } else {
+        page.write(output)?;
+    }
+    Ok(format!("{} and {} figures", output.join("validation.md").display(), page.figure_svgs().len()))
 }
 
 /// The program's version, its GPU, and how it uses the GPU.

@@ -26,7 +26,8 @@ fn from_f64(value: f64) -> u16 {
 
 /// Value of a half float. Its exponent and fraction are those of a single float whose exponent is 112 less.
 fn to_f64(bits: u16) -> f64 {
-    let size = f32::from_bits(u32::from(bits & 0x7fff) << 13) * 5.192_296_858_534_828e33;
+    let two_to_112 = f32::from_bits((127 + 112) << 23);
+    let size = f32::from_bits(u32::from(bits & 0x7fff) << 13) * two_to_112;
     f64::from(if bits >> 15 == 0 { size } else { -size })
 }
 

@@ -101,8 +101,8 @@ fn short_gain(setup: &Setup, short: &ShortWaves<'_>) -> Vec<f64> {
 }
 
 /// Mean level of the water, m, by the balance of its slope with the radiation stress (Longuet-Higgins and Stewart
-/// 1962): dS/dx = -(h + level) dlevel/dx with S = m0 (n (1 + cos^2) - 1/2), in units in which density and gravity are
-/// 1. It is integrated along each row from the set-down of the open sea, -m0 k / sinh(2 k h), and again behind land,
+/// 1962): dS/dx = -(h + level) dlevel/dx with S = m0 (n (1 + cos^2) - 1/2), where density and gravity are taken as one.
+/// It is integrated along each row from the set-down of the open sea, -m0 k / sinh(2 k h), and again behind land,
 /// from 0; currents along the shore and flow between the rows are left out. Land has 0.
 fn set_up_m(setup: &Setup, sea: &Dissipation) -> Vec<f64> {
     let grid = &setup.grid;
