@@ -8,7 +8,7 @@ use glam::{DMat2, DVec2, DVec3};
 use half::f16;
 use seastate::gpu::Gpu;
 use seastate::ocean::{Ocean, OutputKind};
-use seastate::render::{self, MaterialUniform, NoiseTexture};
+use seastate::render::{self, LandUniform, MaterialUniform, NoiseTexture, no_land_map};
 use seastate::shaders::Shaders;
 use seastate::state::fields::linear_rgb;
 use seastate::state::look::BedLook;
@@ -108,6 +108,8 @@ struct Bench {
     mirrored_sky: wgpu::TextureView,
     sky: wgpu::Sampler,
     noise: NoiseTexture,
+    /// Stands for the uniform and the map of the land, of which there is none.
+    land: (wgpu::Buffer, wgpu::TextureView),
     foot: DVec2,
 }
 
@@ -138,8 +140,10 @@ impl Bench {
         let sky = gpu.sampler("made-up sky", modes, wgpu::MipmapFilterMode::Nearest);
         let mut noise = NoiseTexture::new(&gpu);
         noise.fill_bed_once(&gpu);
+        let no_land = vec![0; size_of::<LandUniform>()];
+        let land = (wgsl::buffer(&gpu, &no_land, BufferUsages::UNIFORM), no_land_map(&gpu));
         let foot = DVec2::new(params.camera.x_m, params.camera.z_m);
-        Self { gpu, ocean, frame, material, mirrored_sky, sky, noise, foot }
+        Self { gpu, ocean, frame, material, mirrored_sky, sky, noise, land, foot }
     }
 
     fn kernel(&mut self, shaders: Shaders) -> Kernel<'_> {
@@ -170,6 +174,8 @@ impl Bench {
                 (9, self.material.as_entire_binding()),
                 (10, BindingResource::TextureView(&self.mirrored_sky)),
                 (6, BindingResource::TextureView(&self.noise.view)),
+                (13, BindingResource::TextureView(&self.land.1)),
+                (15, self.land.0.as_entire_binding()),
             ],
         );
         common::bind_maps(&mut kernel, &self.gpu, self.ocean.simulation());

@@ -124,7 +124,10 @@ fn water_glitter(
   // Halves that are nearly alike count as one.
   let is_split = !WATER_POINT_SAMPLES && dot(half, half) > 0.01 * min(surface.variance.x, surface.variance.y);
   var part = surface;
+  // A variable, because Mesa's software adapter crashes if a select between uniform values limits a loop.
+  var halves = 1;
   if is_split {
+    halves = 2;
     let between_halves = vec3f(half * half, half.x * half.y);
     part.variance =
       water_limit_covariance(max(surface.variance - between_halves, vec3f(0.3 * surface.variance.xy, -1.0)));
@@ -159,7 +162,6 @@ fn water_glitter(
   var lit = water_tilt_towards(l, part);
   var sum = 0.0;
   var seen = 0.0;
-  let halves = select(1, 2, is_split);
   if WATER_GLINTS {
     var mean = water_slope_density_at(density, squares.x);
     if is_split {

@@ -18,7 +18,7 @@ mod views;
 mod water;
 
 pub use frame::FrameUniform;
-pub use land::map::{LandUniform, land_map};
+pub use land::map::{LandUniform, land_map, no_land_map};
 pub use reference::{ReferenceRenderer, SampleGrid};
 pub use scene::{FadingSea, Scene, SeaAppearance};
 pub use targets::OutputKind;

@@ -63,7 +63,7 @@ pub fn land_map(gpu: &Gpu, coast: &PlacedCoast) -> wgpu::TextureView {
 }
 
 /// A map of one texel, for scenes without land.
-pub fn no_map(gpu: &Gpu) -> wgpu::TextureView {
+pub fn no_land_map(gpu: &Gpu) -> wgpu::TextureView {
     let map = gpu.texture("no land", [1, 1, 1], 1, FORMAT, wgpu::TextureUsages::TEXTURE_BINDING);
     map.create_view(&wgpu::TextureViewDescriptor::default())
 }

@@ -59,7 +59,14 @@ struct Made {
 impl LandPass {
     /// Keeps the shaders until a scene has land.
     pub fn new(gpu: &Gpu, shaders: Shaders) -> Self {
-        Self { shaders, made: None, coast: None, uniform: Uniform::new(gpu, "land"), map: map::no_map(gpu), mesh: None }
+        Self {
+            shaders,
+            made: None,
+            coast: None,
+            uniform: Uniform::new(gpu, "land"),
+            map: map::no_land_map(gpu),
+            mesh: None,
+        }
     }
 
     /// The uniform buffer and the map of the land, for the bind group of the scene.
@@ -87,7 +94,7 @@ impl LandPass {
         self.map.texture().destroy();
         self.mesh = None;
         let Some(land) = land else {
-            self.map = map::no_map(gpu);
+            self.map = map::no_land_map(gpu);
             return true;
         };
         let relief = Relief::new(land);
