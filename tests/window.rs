@@ -18,7 +18,7 @@ const STATE: &str = "n=64&pause=1&t=20&mesh=0.1&renderscale=0.25&adaptive=0";
 const SIZE: [f32; 2] = [1280.0, 720.0];
 /// File with the program's stderr.
 const SAID: &str = "said.txt";
-const PATIENCE: Duration = Duration::from_secs(180);
+const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A process that is killed when this is dropped.
 struct Process(Child);

@@ -1,4 +1,4 @@
-// What the land looks like: sand, dune grass and heath, rock, the blocks of breakwaters and the concrete of a quay.
+// Colour and relief of the land's surface: sand, dune grass, heath, rock, blocks of breakwaters, concrete of a quay.
 
 // Sides of the tiles of noise over hundreds of metres, and over kilometres, m.
 const LAND_WIDE_M = 437.0;

@@ -32,21 +32,8 @@ fn mesh_fragment(in: LandMeshFragment) -> LandGBuffer {
   return LandGBuffer(vec2f(2.0 * LAND_NO_WATER_M), vec4f(in.slope, 0.0, 0.0), vec2f(0.0));
 }
 
-@group(2) @binding(0) var depth_map: texture_depth_2d;
 @group(2) @binding(1) var undisplaced_map: texture_2d<f32>;
 @group(2) @binding(2) var slope_map: texture_2d<f32>;
-
-struct LandFragment {
-  @builtin(position) clip: vec4f,
-  @location(0) ray: vec3f,
-}
-
-@vertex
-fn light_vertex(@builtin(vertex_index) i: u32) -> LandFragment {
-  let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
-  // Behind all land and before the sky, as in shaders/water/light.wgsl.
-  return LandFragment(vec4f(at, 1e-30, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
-}
 
 // How far a place in the frame of the coast lies beyond its rectangle: 0 within, 1 from 100 m on. There the mesh alone
 // knows the land.
@@ -115,12 +102,12 @@ fn land_film_mirror(v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
 }
 
 @fragment
-fn light_fragment(in: LandFragment) -> @location(0) vec4f {
+fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
   if textureLoad(undisplaced_map, pixel, 0).x < LAND_NO_WATER_M {
     discard;
   }
-  let position = in.ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
+  let position = lit_position(in.ray, pixel);
   let distance_m = length(position);
   let dir = position / distance_m;
   let height = position.y + frame.eye_height_m + dot(position.xz, position.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
@@ -146,7 +133,7 @@ fn light_fragment(in: LandFragment) -> @location(0) vec4f {
   let n = vec3f(-tilt.x, 1.0, -tilt.y) * inverseSqrt(1.0 + dot(tilt, tilt));
   let l = frame.sun_direction;
   let open = mix(land_open_sky(place, height, size), 1.0, is_outside);
-  // What faces the ground gets the light of the ground.
+  // A slope sees less of the sky and, instead, ground nearby, which reflects a fifth of the light that falls on it.
   let level = sunlight * max(l.y, 0.0) + light.sky_irradiance;
   let up = 0.5 + 0.5 * n.y;
   let sky_light = open * (up * light.sky_irradiance + (1.0 - up) * 0.2 * level);

@@ -43,7 +43,6 @@ fn mesh_fragment(in: MeshFragment) -> GBuffer {
   return mesh_g_buffer(in);
 }
 
-@group(2) @binding(0) var depth_map: texture_depth_2d;
 @group(2) @binding(1) var undisplaced_map: texture_2d<f32>;
 @group(2) @binding(2) var slope_and_stretch_map: texture_2d<f32>;
 @group(2) @binding(3) var shear_and_side_map: texture_2d<f32>;
@@ -66,31 +65,13 @@ fn water_pixel_side(across: vec2f, longest_m: f32) -> WaterPixelSide {
   return WaterPixelSide(across * min(longest_m * inverseSqrt(max(square, 1e-18)), 1.0), square < most_m * most_m);
 }
 
-struct LightFragment {
-  @builtin(position) clip: vec4f,
-  @location(0) ray: vec3f,
-}
-
-@vertex
-fn light_vertex(@builtin(vertex_index) i: u32) -> LightFragment {
-  let at = vec2f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
-  // The depth lies behind all water and before the sky, so that the depth test leaves the pixels that show water.
-  return LightFragment(vec4f(at, 1e-30, 1.0), frame.forward + frame.right * at.x + frame.up * at.y);
-}
-
-// Position relative to the eye, m, of the water that a pixel shows. The ray's component along the viewing direction is
-// 1, and depth is near-plane distance / distance along it.
-fn water_position(ray: vec3f, pixel: vec2i) -> vec3f {
-  return ray * (frame.clip_from_relative[3].z / textureLoad(depth_map, pixel, 0));
-}
-
 // Whether the eye dives: the G-buffer then has a negative side where it shows the water from below (under.wgsl).
 override WATER_DIVES: bool = false;
 
 @fragment
 fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
-  let place = water_position(in.ray, pixel);
+  let place = lit_position(in.ray, pixel);
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
   if WATER_LAND && at.x > LAND_NO_WATER_M {
     discard;
@@ -130,7 +111,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
 @fragment
 fn lean_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
-  let place = water_position(in.ray, pixel);
+  let place = lit_position(in.ray, pixel);
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
   if WATER_LAND && at.x > LAND_NO_WATER_M {
     discard;

@@ -122,7 +122,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   var place = vec3f(0.0);
   var slope: WaterSlope;
   if shows_ceiling {
-    place = water_position(in.ray, pixel);
+    place = lit_position(in.ray, pixel);
     let point = WaterPoint(place, at, water_height_m(place));
     let gust = water_gust_gain(at, foot.length_m);
     let breaker = breaker_motion(at, point.height, vec2f(0.0));
@@ -142,7 +142,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
     length_m = length(place);
     radiance = under_surface(dir, place, at, foot, bent);
   } else if is_land {
-    let spot = water_position(in.ray, pixel);
+    let spot = lit_position(in.ray, pixel);
     length_m = length(spot);
     let column_m = max(depth_m - spot.y, 0.0);
     radiance = floor_radiance(FloorHit(length_m, spot.xz, column_m, vec2f(0.0)), dir);

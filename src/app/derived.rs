@@ -27,7 +27,7 @@ pub struct DerivedSeaData {
     /// The strongest waves of the sea, selected as for the motion of floating hulls; here they only give the height of
     /// the sea at a point (see [`Self::strongest_waves`]). Empty until first used.
     hull_waves: OnceCell<HullWaves>,
-    /// What the coast makes of the waves; `None` in the open sea, and until it is solved.
+    /// Transfer functions of the coast that is shown; `None` in the open sea, and until the coast is solved.
     transfer: Option<Arc<Transfer>>,
     /// Directional spectrum, sampled for the panel's polar plot; empty until first used.
     directional_spectrum: OnceCell<DirectionalSpectrumSamples>,

@@ -74,7 +74,7 @@ pub fn mip_pass_cost(n: u32, cascades: u32, maps: MapFormat) -> Cost {
     cost_of_texels(n, cascades, Cost { bytes, flops: 4.0 * 14.0 / 3.0, reads: 2.0 })
 }
 
-/// What the cost of the waves at a coast depends on, besides the maps.
+/// Numbers of waves, groups and grid points of a coast, from which the cost of its passes is counted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoastSizes {
     /// Number of waves that the coast transforms.

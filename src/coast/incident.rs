@@ -45,7 +45,7 @@ pub struct LatticeIncident {
     pub incident: Incident,
     /// Indices (along x and z of the world) of its wave vector on the lattice.
     pub lattice_index: [i32; 2],
-    /// Its wave number and frequency.
+    /// Wave number and angular frequency of this wave.
     pub wave: LatticeWave,
 }
 

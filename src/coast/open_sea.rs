@@ -1,4 +1,5 @@
-//! What a sea has to do with a coast: which of its waves arrive, what reflects them, and where they run up.
+//! The open sea before a coast: which of its waves arrive, which equation solves them, how strongly the shore reflects
+//! them, and how steep the foreshore is.
 
 use super::approach::approach;
 use super::elliptic;

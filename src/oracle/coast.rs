@@ -79,11 +79,8 @@ fn envelope(transfer: &Transfer, wave: usize, place: usize) -> Complex {
     [packed as u16, (packed >> 16) as u16].map(half_float)
 }
 
-/// Value of a half float: sign, five bits of the exponent, ten of the fraction.
 fn half_float(bits: u16) -> f64 {
-    let (exponent, fraction) = (i32::from(bits >> 10 & 31), f64::from(bits & 1023) / 1024.0);
-    let size = if exponent == 0 { fraction * 2f64.powi(-14) } else { (1.0 + fraction) * 2f64.powi(exponent - 15) };
-    if bits >> 15 == 0 { size } else { -size }
+    half::f16::from_bits(bits).to_f64()
 }
 
 /// Rolling foam, 0 to 1, where waves with the sum Z break: it lies on their fronts, which the crest reaches next.

@@ -113,6 +113,9 @@ const WATER: SourcePart = SourcePart::Group(&[
 /// WGSL functions for the water's light in the lean tier.
 const LEAN: SourcePart = SourcePart::Group(&[part!("water/lean_slope.wgsl"), part!("water/lean.wgsl")]);
 
+/// WGSL vertex shader and functions of the passes that light the pixels of the G-buffer.
+const LIT_PIXEL: SourcePart = part!("common/lit_pixel.wgsl");
+
 /// WGSL functions for light in the water, and for the surface and the bed as they are seen from below.
 const UNDER: SourcePart =
     SourcePart::Group(&[part!("water/medium.wgsl"), part!("water/ceiling.wgsl"), part!("water/floor.wgsl")]);
@@ -153,10 +156,18 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("sky/background", &[MATHS, NOISE, PICTURE, CLOUDY_SKY, part!("sky/background.wgsl")]),
     ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),
     ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
-    ("water/light", &[WATER, LEAN, part!("water/light.wgsl")]),
+    ("water/light", &[WATER, LEAN, LIT_PIXEL, part!("water/light.wgsl")]),
     (
         "water/under",
-        &[WATER, LEAN, part!("water/light.wgsl"), UNDER, part!("water/shafts.wgsl"), part!("water/under.wgsl")],
+        &[
+            WATER,
+            LEAN,
+            LIT_PIXEL,
+            part!("water/light.wgsl"),
+            UNDER,
+            part!("water/shafts.wgsl"),
+            part!("water/under.wgsl"),
+        ],
     ),
     (
         "water/hulls",
@@ -179,6 +190,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
             MIRRORED_MAP,
             LAND,
             part!("land/ground.wgsl"),
+            LIT_PIXEL,
             part!("land/light.wgsl"),
         ],
     ),

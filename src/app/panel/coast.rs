@@ -8,7 +8,7 @@ use crate::coast::built_in::BuiltInCoast;
 use crate::state::coast::CoastName;
 use crate::state::presets;
 
-/// What a coast does to waves: the word for it, what it means, and the named sea that shows it.
+/// Effects of a coast on waves, such as shoaling: the name of each, its explanation, and the named sea that shows it.
 const EFFECTS: [(&str, &str, &str); 6] = [
     (
         text!("Shoaling"),

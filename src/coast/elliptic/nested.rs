@@ -235,7 +235,7 @@ pub(super) struct Factorisation {
     factors: Factors,
     /// Place of each point in the present front.
     local: Vec<usize>,
-    /// What each front leaves for its parent.
+    /// For each front that is factorised: its Schur complement, which its parent front adds up.
     complements: Vec<Option<Dense>>,
 }
 

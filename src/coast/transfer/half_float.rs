@@ -1,6 +1,7 @@
 //! Pairs of half floats in 32 bits, as WGSL's `unpack2x16float` reads them.
 
 use crate::coast::complex::Complex;
+use half::f16;
 
 /// Packs a complex number: the real part in the low 16 bits, the imaginary part in the high ones.
 pub(super) fn pack(value: Complex) -> u32 {
@@ -14,21 +15,11 @@ pub(super) fn unpack(bits: u32) -> Complex {
 
 /// The half float nearest to `value`, ties to even. Too large values become the largest finite one.
 fn from_f64(value: f64) -> u16 {
-    let sign = if value.is_sign_negative() { 0x8000 } else { 0 };
-    let size = value.abs();
-    // Half floats below 2^-14 are multiples of 2^-24; above, the spacing is 2^-10 of the power of two below the value.
-    let exponent = if size < 6.103_515_625e-5 { -14 } else { (size.log2().floor() as i32).clamp(-14, 15) };
-    let steps = (size * 2f64.powi(10 - exponent)).round_ties_even();
-    // 1024 steps above a normal number's power of two; a carry into the next exponent adds up correctly.
-    let bits = if steps < 1024.0 { steps as u32 } else { (((exponent + 14) as u32) << 10) + steps as u32 };
-    sign | bits.min(0x7bff) as u16
+    f16::from_f64(value.clamp(f16::MIN.to_f64(), f16::MAX.to_f64())).to_bits()
 }
 
-/// Value of a half float. Its exponent and fraction are those of a single float whose exponent is 112 less.
 fn to_f64(bits: u16) -> f64 {
-    let two_to_112 = f32::from_bits((127 + 112) << 23);
-    let size = f32::from_bits(u32::from(bits & 0x7fff) << 13) * two_to_112;
-    f64::from(if bits >> 15 == 0 { size } else { -size })
+    f16::from_bits(bits).to_f64()
 }
 
 #[cfg(test)]
