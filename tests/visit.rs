@@ -99,11 +99,19 @@ fn arrows_and_swipes_go_from_sea_to_sea_and_the_camera_stays() {
         harness.run_steps(3);
         assert_eq!(shown_sea(&harness), Some(expected));
     }
-    // Named seas that set a camera set all of it that they need; the arrows themselves move nothing.
+    // A coast is seen from a place of its own. The other seas leave the camera where it is.
     let position = |harness: &Harness<'_, App>| [params(harness).camera.x_m, params(harness).camera.z_m];
+    let is_coast = |harness: &Harness<'_, App>| params(harness).coast.is_on();
+    while is_coast(&harness) {
+        let before = position(&harness);
+        harness.key_press(egui::Key::ArrowLeft);
+        harness.run_steps(3);
+        assert_eq!(position(&harness) != before, is_coast(&harness));
+    }
     let before = position(&harness);
     harness.key_press(egui::Key::ArrowLeft);
     harness.run_steps(3);
+    assert!(!is_coast(&harness));
     assert_eq!(position(&harness), before);
 
     // A swipe to the left goes on, one to the right back; a drag up or down and a short one leave the sea.

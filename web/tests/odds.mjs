@@ -39,18 +39,24 @@ const idleAtThirtyHertz = () => {
   GPUSupportedFeatures.prototype.has = function hasFeature(name) {
     return name !== 'timestamp-query' && has.call(this, name);
   };
-  GPUQueue.prototype.onSubmittedWorkDone = () => new Promise((resolve) => setTimeout(resolve, 4));
-  const request = window.requestAnimationFrame.bind(window);
-  let shown = 0;
-  window.requestAnimationFrame = (callback) => {
-    const waitForFrame = () =>
-      request((now) => {
-        if (now - shown < 30) return waitForFrame();
-        shown = now;
-        return callback(now);
-      });
-    return waitForFrame();
+  // The page's clock stands between frames, so that the test does not depend on the speed of this machine.
+  let now = performance.now();
+  performance.now = () => now;
+  GPUQueue.prototype.onSubmittedWorkDone = async () => {
+    const done = now + 4;
+    await null;
+    now = Math.max(now, done);
   };
+  const request = window.requestAnimationFrame.bind(window);
+  let frame = now;
+  window.frames30 = 0;
+  window.requestAnimationFrame = (callback) =>
+    request(() => {
+      frame += 1000 / 30;
+      now = frame;
+      window.frames30 += 1;
+      callback(now);
+    });
 };
 
 // Tells scripts a device pixel ratio of 1.5, while elements are measured with a ratio of 1.
@@ -134,10 +140,13 @@ export async function odds(context) {
       // The page begins with a quarter of the width, because it knows that the adapter is a software adapter.
       await tab.until('a first picture', () => window.seastate?.has_first_picture());
       await tab.until('all pixels', () => window.widths.at(-1) === 160);
-      for (let look = 0; look < 50; look += 1) {
-        await new Promise((resolve) => setTimeout(resolve, 100));
-        assert.equal(await tab.evaluate(() => window.widths.at(-1)), 160, 'the picture stays as wide as its canvas');
-      }
+      const seen = await tab.evaluate(() => [window.frames30, window.widths.length]);
+      await tab.until('150 frames more', (frames) => window.frames30 >= frames + 150, seen[0]);
+      const later = await tab.evaluate((count) => window.widths.slice(count), seen[1]);
+      assert.ok(
+        later.every((width) => width === 160),
+        `the picture stays as wide as its canvas: ${later}`,
+      );
       assert.deepEqual(tab.errors, [], 'console errors');
       return `widths ${(await tab.evaluate(() => [...new Set(window.widths)])).join(', ')}`;
     } finally {
