@@ -10,6 +10,7 @@ use seastate::gpu::readback::stage_texture;
 use seastate::ocean::still::PICTURE_FORMAT;
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::render::{LandUniform, NoiseTexture, Renderer, land_map};
+use seastate::shaders::Shaders;
 use std::sync::Arc;
 use wgpu::{BindingResource, BufferUsages};
 
@@ -83,6 +84,103 @@ fn shaders_find_the_depth_and_where_a_ray_meets_the_bed() {
             if below > middle { low = middle } else { high = middle }
         }
         assert!((column_m - low).abs() < 0.03 + 0.01 * low, "{column_m}, not {low}");
+    }
+}
+
+/// Height, m, of the ridge of [`ridge`], and its distance from the sea's edge of the coast.
+const RIDGE_M: [f64; 2] = [12.0, 400.0];
+
+/// A ridge along the shore, 12 m high, with water on both sides.
+fn ridge() -> PlacedCoast {
+    let depth_m = |x: f64, _: f64| 8.0 - (8.0 + RIDGE_M[0]) * (-((x - RIDGE_M[1]) / 60.0).powi(2)).exp();
+    PlacedCoast {
+        title: "ridge".into(),
+        bathymetry: Bathymetry::from_fn(161, 161, 5.0, depth_m),
+        toward_deg: 90.0,
+        middle_m: [400.0, 400.0],
+        ..plane()
+    }
+}
+
+/// Answers about a ray from a point of the water: the visible fraction of a sun in its direction, and the share of a
+/// bundle of mirrored rays around it that meets the land. Nothing shines, so the land is black in a sky of radiance 1.
+const RAY_ANSWER: &str = "
+fn answer(q: Question) -> Answer {
+  frame.sun_direction = q[1].xyz;
+  let place = land_place(q[0].xy);
+  let rays = WaterMirroredRays(q[1].xyz, vec2f(q[0].w));
+  let mirror = land_mirrored(WaterMirror(vec3f(1.0), 1.0), place, q[0].z, rays);
+  return Answer(vec4f(land_visible_sun(place, q[0].z), 1.0 - mirror.radiance.x, 0.0, 0.0));
+}
+";
+
+/// For rays from the water towards the ridge of `shaders`: the tangents of the elevations of the ray and of the
+/// ridge as seen from there, the visible fraction of the sun, and the share of mirrored rays that meet the ridge.
+fn rays_towards_a_ridge(shaders: Shaders) -> Vec<[f64; 4]> {
+    let (gpu, coast) = (common::gpu(), ridge());
+    let size = [64, 64];
+    let (ocean, scene) = flat_scene(&gpu, "x=200&z=400", &coast, size);
+    let frame = "var<uniform> frame: Frame;";
+    let shaders =
+        shaders.patched("water/light", frame, "var<uniform> picture_frame: Frame;\nvar<private> frame: Frame;");
+    let mut kernel = wgsl::Kernel::<2, 1>::new(&gpu, &shaders, "water/light", RAY_ANSWER);
+    let uniform = wgsl::buffer(&gpu, bytemuck::bytes_of(&LandUniform::new(&coast, &scene)), BufferUsages::UNIFORM);
+    let dark = wgsl::buffer(&gpu, &[0; 4096], BufferUsages::UNIFORM);
+    let (map, noise) = (land_map(&gpu, &coast), NoiseTexture::new(&gpu));
+    let group = [
+        (2, dark.as_entire_binding()),
+        (7, BindingResource::Sampler(&noise.sampler)),
+        (9, dark.as_entire_binding()),
+        (13, BindingResource::TextureView(&map)),
+        (15, uniform.as_entire_binding()),
+    ];
+    kernel.bind(0, &group);
+    drop(ocean);
+    let (mut questions, mut expected) = (Vec::new(), Vec::new());
+    for i in 0..400 {
+        let part = |step: f64| (f64::from(i) * step).fract();
+        let [x, z] = [180.0 + 140.0 * part(0.7548), 300.0 + 200.0 * part(0.5698)];
+        let turn = 0.8 * (part(0.819) - 0.5);
+        let (sin, cos) = turn.sin_cos();
+        // The highest elevation of the ridge along the ray.
+        let top = (1..4000).map(|i| {
+            let far_m = 0.2 * f64::from(i);
+            (-coast.depth_at_m([x + cos * far_m, z + sin * far_m]) / far_m, far_m)
+        });
+        let top = top.map(|(top, _)| top).fold(0.0, f64::max);
+        let rise = top * (0.3 + 1.4 * part(0.671));
+        let eye = [scene.view.eye.x, scene.view.eye.z];
+        let ray = glam::DVec3::new(cos, rise, sin).normalize();
+        questions
+            .push([[x - eye[0], z - eye[1], 0.0, 0.02 * top], [ray.x, ray.y, ray.z, 0.0]].map(|v| v.map(|v| v as f32)));
+        expected.push([rise, top]);
+    }
+    let answers = kernel.ask(&questions);
+    expected.iter().zip(answers).map(|([rise, top], [[sun, met, ..]])| [*rise, *top, sun, met]).collect()
+}
+
+#[test]
+fn land_hides_the_sun_and_is_mirrored_up_to_its_height() {
+    let rays = rays_towards_a_ridge(shaders());
+    // The penumbra is 0.022 wide on either side. The rays take long steps, and the ridge has hummocks.
+    let wrong = |rays: &[[f64; 4]]| {
+        let is_wrong = |[rise, top, sun, met]: &&[f64; 4]| {
+            let (low, high) = (0.8 * top, 1.25 * top);
+            (*rise < low && *met < 0.9)
+                || (*rise > high && *met > 0.1)
+                || (*rise < low - 0.022 && *sun > 0.01)
+                || (*rise > high + 0.022 && *sun < 0.99)
+        };
+        rays.iter().filter(is_wrong).count()
+    };
+    assert_eq!(wrong(&rays), 0);
+    for fault in [
+        ("low + horizon.rise * sharp", "low + 0.5 * horizon.rise * sharp"),
+        ("(rise - horizon.rise) *", "(rise - 0.5 * horizon.rise) *"),
+    ] {
+        let faulty = shaders().patched("water/light", fault.0, fault.1);
+        let found = wrong(&rays_towards_a_ridge(faulty));
+        assert!(found > 20, "{fault:?}: {found} wrong rays");
     }
 }
 

@@ -14,3 +14,6 @@
 @group(0) @binding(12) var cloud_shadow_map: texture_2d<f32>;
 @group(0) @binding(13) var land_map: texture_2d<f32>;
 @group(0) @binding(15) var<uniform> land: Land;
+
+// Whether the sun is so low that land shades land and water.
+override LAND_SHADOWS: bool = false;

@@ -3,37 +3,12 @@
 // Sides of the tiles of noise over hundreds of metres, and over kilometres, m.
 const LAND_WIDE_M = 437.0;
 const LAND_REGION_M = 2230.0;
-// Slopes between which land becomes rock.
-const LAND_ROCK_SLOPES = vec2f(0.45, 0.85);
-// Height above the still water, m, at which the first dune grass grows.
-const LAND_GRASS_M = 3.2;
-// Fractions of its albedo, RGB, that wet sand keeps.
-const LAND_DAMP = vec3f(0.60, 0.56, 0.52);
-// Albedos.
-const LAND_MARRAM = vec3f(0.112, 0.122, 0.056);
-const LAND_STRAW = vec3f(0.235, 0.200, 0.112);
-const LAND_HEATH = vec3f(0.072, 0.068, 0.036);
-const LAND_TURF = vec3f(0.078, 0.094, 0.034);
-const LAND_SCRUB = vec3f(0.036, 0.045, 0.020);
-const LAND_ROCK = vec3f(0.235, 0.200, 0.160);
-const LAND_DARK_ROCK = vec3f(0.105, 0.092, 0.080);
-const LAND_WEED = vec3f(0.030, 0.034, 0.016);
-const LAND_BLOCK = vec3f(0.175, 0.168, 0.155);
-const LAND_CONCRETE = vec3f(0.400, 0.385, 0.355);
-
 struct LandGround {
   albedo: vec3f,
   // Slope of the fine relief, to be added to that of the land, in the frame of the coast.
   relief: vec2f,
   // Share of the pixel under a film of water, 0 to 1.
   film: f32,
-}
-
-// Share of sand that is wet (x), and that a film of water covers (y), at a height above the still water, m, where noise
-// bends the lines.
-fn land_wetness(height: f32, bend: f32) -> vec2f {
-  let at = height + 0.14 * bend;
-  return 1.0 - vec2f(maths_smooth((at - land.run_up_m) * 1.6 + 0.4), maths_smooth((at - land.film_m) * 2.2 + 0.5));
 }
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
@@ -71,8 +46,7 @@ fn land_plants(
     let thicket = 0.75 * region.z + 0.45 * wide.z + 0.3 * middle.w;
     let scrub = maths_smooth(0.8 * thicket - 0.05) * back;
     // Round crowns, bright towards the sun.
-    let toward = vec2f(dot(frame.sun_direction.xz, land.shoreward),
-      frame.sun_direction.z * land.shoreward.x - frame.sun_direction.x * land.shoreward.y);
+    let toward = land_from_world(frame.sun_direction.xz);
     let sunward = land_noise((place + 0.9 * toward).yx, LAND_MIDDLE_M, size);
     let lit = max(1.0 + 0.3 * middle.w + 0.55 * (middle.w - sunward.w), 0.15);
     green = mix(green, LAND_SCRUB * lit, scrub);

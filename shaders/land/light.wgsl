@@ -3,9 +3,6 @@
 @group(0) @binding(9) var<uniform> material: Material;
 @group(1) @binding(0) var<storage, read> land_vertices: array<LandVertex>;
 
-// Whether the sun is so low that land shades land.
-override LAND_SHADOWS: bool = false;
-
 struct LandMeshFragment {
   @builtin(position) clip: vec4f,
   @location(0) slope: vec2f,
@@ -34,40 +31,6 @@ fn mesh_fragment(in: LandMeshFragment) -> LandGBuffer {
 
 @group(2) @binding(1) var undisplaced_map: texture_2d<f32>;
 @group(2) @binding(2) var slope_map: texture_2d<f32>;
-
-// How far a place in the frame of the coast lies beyond its rectangle: 0 within, 1 from 100 m on. There the mesh alone
-// knows the land.
-fn land_beyond(place: vec2f) -> f32 {
-  let outside = max(max(-place, place - land.side_m), vec2f(0.0));
-  return maths_smooth(0.01 * max(outside.x, outside.y));
-}
-
-// Number of steps of a ray towards the sun, the first one, m, and how much longer each is than the one before.
-const LAND_SHADOW_STEPS = 11;
-const LAND_FIRST_STEP_M = 1.5;
-const LAND_STEP_RATIO = 1.6;
-// Height, m, by which the map is lowered where it does not know the land.
-const LAND_NO_SHADE_M = 200.0;
-
-// Fraction of the sun's disc that the land leaves visible from a place in the frame of the coast.
-fn land_visible_sun(place: vec2f, height: f32, size: f32) -> f32 {
-  let l = frame.sun_direction;
-  let across = max(length(l.xz), 1e-3);
-  let toward = vec2f(dot(l.xz, land.shoreward), l.z * land.shoreward.x - l.x * land.shoreward.y) / across;
-  let rise = max(l.y, 0.0) / across;
-  var step_m = max(LAND_FIRST_STEP_M, size);
-  var far_m = 0.0;
-  var least = 1e3;
-  for (var i = 0; i < LAND_SHADOW_STEPS; i++) {
-    far_m += step_m;
-    let at = place + toward * far_m;
-    let ground = land_at(at, land_lod(0.5 * step_m)).x - LAND_NO_SHADE_M * land_beyond(at);
-    // Half the width of the penumbra, and what the map does not resolve.
-    least = min(least, (height + far_m * rise - ground) / (0.012 * far_m + 0.08 * step_m));
-    step_m *= LAND_STEP_RATIO;
-  }
-  return maths_smooth(0.5 + 0.5 * least);
-}
 
 // Share of the sky that the land around leaves open: less in hollows and at the foot of cliffs.
 fn land_open_sky(place: vec2f, height: f32, size: f32) -> f32 {
@@ -101,6 +64,13 @@ fn land_film_mirror(v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
   return vec4f(radiance, reflectance);
 }
 
+// How far a place in the frame of the coast lies beyond its rectangle: 0 within, 1 from 100 m on. There the mesh alone
+// knows the land.
+fn land_beyond(place: vec2f) -> f32 {
+  let outside = max(max(-place, place - land.side_m), vec2f(0.0));
+  return maths_smooth(0.01 * max(outside.x, outside.y));
+}
+
 @fragment
 fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
@@ -127,7 +97,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   var sunlight = cloud_sun_irradiance();
   if LAND_SHADOWS {
-    sunlight *= land_visible_sun(place, height, size);
+    sunlight *= land_visible_sun(place, height);
   }
   let tilt = land_to_world(slope + ground.relief);
   let n = vec3f(-tilt.x, 1.0, -tilt.y) * inverseSqrt(1.0 + dot(tilt, tilt));

@@ -8,7 +8,12 @@ const LAND_NO_WATER_M = 5e8;
 
 // Position in the frame of the coast, m, of a point (x, z) relative to the one below the eye, m.
 fn land_place(at: vec2f) -> vec2f {
-  return land.eye_place + vec2f(dot(at, land.shoreward), at.y * land.shoreward.x - at.x * land.shoreward.y);
+  return land.eye_place + land_from_world(at);
+}
+
+// Components in the frame of the coast of a vector (x, z) of the world.
+fn land_from_world(v: vec2f) -> vec2f {
+  return vec2f(dot(v, land.shoreward), v.y * land.shoreward.x - v.x * land.shoreward.y);
 }
 
 // A vector (x, z) of the world from its components in the frame of the coast.
@@ -59,12 +64,4 @@ fn land_noise(place: vec2f, tile_m: f32, size: f32) -> vec4f {
   let lod = max(log2(max(size, 1e-6) * (512.0 / tile_m)), 0.0);
   let texel = textureSampleLevel(noise_map, noise_sampler, place * (1.0 / tile_m), 1, lod);
   return (texel - 0.5) * vec4f(2.0, 3.2, 6.4, 6.4);
-}
-
-// Albedo of dry sand of a beach relative to that of the bed's, RGB: it is coarser, and the wind has sorted it.
-const LAND_SAND = vec3f(0.55, 0.52, 0.49);
-
-// Albedo of dry sand, from its noises over tens of metres and over metres.
-fn land_sand_albedo(middle: vec4f, fine: vec4f) -> vec3f {
-  return material.bed_colour * LAND_SAND * max(1.0 + 0.05 * middle.z + 0.06 * fine.z, 0.5);
 }

@@ -99,20 +99,8 @@ fn hull_image_mirrored(mirror: WaterMirror, place: vec3f, v: vec3f, distance_m: 
   let spread = 0.02 + 2.0 * v.y * side;
   for (var i = 0u; i < hull_images.count; i++) {
     if hull_image_may_meet(i, place.xz, away, spread) {
-      let eye = water_facets_towards(v, slope);
-      let low = -(eye.tilt.height / eye.tilt.across + eye.tilt.mean) / eye.tilt.sigma;
-      let tilts = water_visible_tilts(low);
-      let per_tilt = -(eye.tilt.toward * eye.tilt.sigma + eye.side * eye.tilt_side_shear);
-      let n = water_normal(slope.mean + tilts.x * per_tilt);
-      let cosine = max(dot(v, n), 0.01);
-      var ray = 2.0 * cosine * n - v;
-      ray.y = max(ray.y, 0.003);
-      let over_level = inverseSqrt(max(dot(ray.xz, ray.xz), 1e-4));
-      let rise = ray.y * over_level;
-      let side_variance = max(eye.side_sigma * eye.side_sigma - eye.tilt_side_shear * eye.tilt_side_shear, 1e-8);
-      let blur = 2.0 * vec2f(
-        cosine * over_level * sqrt(side_variance), (1.0 + rise * rise) * tilts.y * eye.tilt.sigma);
-      let met = hull_image_met(i, place, ray, blur, frame.pixel_angle * distance_m, 0.0);
+      let rays = water_mirrored_rays(v, slope);
+      let met = hull_image_met(i, place, rays.ray, rays.blur, frame.pixel_angle * distance_m, 0.0);
       out.radiance = (1.0 - met.w) * out.radiance + (out.reflectance * material.sky_reflection) * met.rgb;
     }
   }

@@ -80,6 +80,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     shadow_sun_fraction *=
       hull_image_sunlight(hull_image_place(point.position, point.height), frame.pixel_angle / nearness);
   }
+  if LAND_SHADOWS {
+    shadow_sun_fraction *= land_visible_sun(land_place(point.position.xz), point.height);
+  }
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never
@@ -105,6 +108,10 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     glints = WaterGlints(foot.length_m * foot.width_m, pixel);
   }
   var mirror = water_mirror_among(v, slope, around, glints);
+  if WATER_LAND {
+    let rays = water_mirrored_rays(v, slope);
+    mirror = land_mirrored(mirror, land_place(point.position.xz), point.height, rays);
+  }
   if WATER_HULLS {
     mirror = hull_image_mirrored(mirror, hull_image_place(point.position, point.height), v, 1.0 / nearness, slope);
   }

@@ -51,8 +51,9 @@ const VIEWS: SourcePart = part!("views/common.wgsl");
 const AIR_TABLES: SourcePart = SourcePart::Group(&[ATMOSPHERE, SKY_COMMON]);
 /// WGSL functions for the radiance of the sky without clouds in a given direction, and for fog.
 const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
-/// WGSL functions that read the map of the land.
-const LAND: SourcePart = part!("land/map.wgsl");
+/// WGSL functions that read the map of the land, for its colours, and for what rises before a point.
+const LAND: SourcePart =
+    SourcePart::Group(&[part!("land/map.wgsl"), part!("land/albedo.wgsl"), part!("land/horizon.wgsl")]);
 /// WGSL for every pass that draws on the HDR picture: uniforms and textures of the scene, radiance of the sky, and the
 /// effect of the air between eye and sea on light.
 const PICTURE: SourcePart = SourcePart::Group(&[
@@ -97,10 +98,12 @@ const WATER: SourcePart = SourcePart::Group(&[
     MIRRORED_MAP,
     part!("water/glints.wgsl"),
     part!("water/mirror.wgsl"),
+    part!("water/mirrored_rays.wgsl"),
     part!("water/hull_image.wgsl"),
     part!("water/body.wgsl"),
     part!("water/crest.wgsl"),
     LAND,
+    part!("land/mirrored.wgsl"),
     part!("water/bed.wgsl"),
     part!("water/foam.wgsl"),
     part!("water/foam_look.wgsl"),

@@ -14,7 +14,7 @@ use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
-use crate::state::look::CloudKind;
+use crate::state::look::{CloudKind, SkyLook};
 use map::LandUniform;
 use mesh::LandMesh;
 use relief::Relief;
@@ -26,6 +26,8 @@ pub use mesh::LandVertex;
 const DEPTH_TEST_LIGHT: DepthState = DepthState { compare: wgpu::CompareFunction::LessEqual, ..DEPTH_TEST_BACKGROUND };
 /// Elevation of the sun, degrees, below which its upper edge has set, and above which hardly any land shades other land.
 const SHADING_SUN_DEG: std::ops::Range<f64> = -0.9..55.0;
+/// Elevations of the sun at which land shades the water before it, degrees. A rubble mound is hardly steeper.
+const WATER_SHADING_SUN_DEG: std::ops::Range<f64> = -0.9..32.0;
 
 /// What a variant of the pipeline that lights the land can draw.
 #[derive(Clone, Copy, PartialEq)]
@@ -149,6 +151,11 @@ impl LandPass {
             };
             gpu.render_pipeline("land/light", &program, &layouts.each_ref(), &attachments(&format, DEPTH_TEST_LIGHT))
         });
+    }
+
+    /// Whether the sun of `sky` is so low that land shades the water before it.
+    pub fn shades_water(sky: &SkyLook) -> bool {
+        WATER_SHADING_SUN_DEG.contains(&sky.sun_elevation_azimuth_deg()[0])
     }
 
     /// Draws the land into the G-buffer; its pixels have the undisplaced position of no water.

@@ -31,6 +31,8 @@ pub struct WaterLightVariant {
     bed: bool,
     /// Whether there is land, to which the water's depth belongs at each place.
     land: bool,
+    /// Whether the land shades the water.
+    land_shadows: bool,
     /// Whether waves focus sunlight into caustics on the bed.
     caustics: bool,
     foam: bool,
@@ -83,6 +85,7 @@ impl WaterLightVariant {
         Self {
             bed,
             land: scene.land.is_some(),
+            land_shadows: scene.land.is_some() && LandPass::shades_water(&scene.look.sky),
             caustics: bed && surface.bed.caustics > 0.0,
             foam: surface.foam.coverage_factor > 0.0,
             coast: scene.has_coast,
@@ -103,10 +106,11 @@ impl WaterLightVariant {
         }
     }
 
-    pub fn constants(self) -> [(&'static str, f64); 18] {
+    pub fn constants(self) -> [(&'static str, f64); 19] {
         [
             switch_constant("WATER_BED", self.bed),
             switch_constant("WATER_LAND", self.land),
+            switch_constant("LAND_SHADOWS", self.land_shadows),
             switch_constant("WATER_CAUSTICS", self.caustics),
             switch_constant("WATER_FOAM", self.foam),
             switch_constant("WATER_COAST", self.coast),

@@ -1,0 +1,49 @@
+// Albedos of the kinds of ground, and where each kind lies.
+
+// Slopes between which land becomes rock.
+const LAND_ROCK_SLOPES = vec2f(0.45, 0.85);
+// Height above the still water, m, at which the first dune grass grows.
+const LAND_GRASS_M = 3.2;
+// Fractions of its albedo, RGB, that wet sand keeps.
+const LAND_DAMP = vec3f(0.60, 0.56, 0.52);
+// Albedos.
+const LAND_MARRAM = vec3f(0.112, 0.122, 0.056);
+const LAND_STRAW = vec3f(0.235, 0.200, 0.112);
+const LAND_HEATH = vec3f(0.072, 0.068, 0.036);
+const LAND_TURF = vec3f(0.078, 0.094, 0.034);
+const LAND_SCRUB = vec3f(0.036, 0.045, 0.020);
+const LAND_ROCK = vec3f(0.235, 0.200, 0.160);
+const LAND_DARK_ROCK = vec3f(0.105, 0.092, 0.080);
+const LAND_WEED = vec3f(0.030, 0.034, 0.016);
+const LAND_BLOCK = vec3f(0.175, 0.168, 0.155);
+const LAND_CONCRETE = vec3f(0.400, 0.385, 0.355);
+
+// Albedo of dry sand of a beach relative to that of the bed's, RGB: it is coarser, and the wind has sorted it.
+const LAND_SAND = vec3f(0.55, 0.52, 0.49);
+
+// Albedo of dry sand, from its noises over tens of metres and over metres.
+fn land_sand_albedo(middle: vec4f, fine: vec4f) -> vec3f {
+  return material.bed_colour * LAND_SAND * max(1.0 + 0.05 * middle.z + 0.06 * fine.z, 0.5);
+}
+
+// Share of sand that is wet (x), and that a film of water covers (y), at a height above the still water, m, where noise
+// bends the lines.
+fn land_wetness(height: f32, bend: f32) -> vec2f {
+  let at = height + 0.14 * bend;
+  return 1.0 - vec2f(maths_smooth((at - land.run_up_m) * 1.6 + 0.4), maths_smooth((at - land.film_m) * 2.2 + 0.5));
+}
+
+// Mean albedo of the ground over tens of metres, without the patterns of shaders/land/ground.wgsl. `map` is that of
+// land_at.
+fn land_mean_albedo(place: vec2f, map: vec4f) -> vec3f {
+  let height = map.x;
+  var albedo = material.bed_colour * LAND_SAND * mix(vec3f(1.0), LAND_DAMP, land_wetness(height, 0.0).x);
+  let back = maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5));
+  let green = mix(mix(LAND_MARRAM, LAND_STRAW, 0.37), 0.5 * (LAND_HEATH + LAND_TURF), back);
+  albedo = mix(albedo, green, max(saturate(0.54 * (height - LAND_GRASS_M)), back));
+  let steep = length(map.yz);
+  let rock = maths_smooth((steep - LAND_ROCK_SLOPES.x) / (LAND_ROCK_SLOPES.y - LAND_ROCK_SLOPES.x));
+  albedo = mix(albedo, mix(LAND_DARK_ROCK, LAND_ROCK, 0.5), rock);
+  let built = saturate(4.0 * abs(map.w) - 1.0);
+  return mix(albedo, select(LAND_CONCRETE, LAND_BLOCK, map.w < 0.0), built);
+}

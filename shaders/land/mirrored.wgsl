@@ -1,0 +1,38 @@
+// Light of the land that the water before it mirrors.
+
+// Tangent of the elevation above which no land is looked for.
+const LAND_MIRROR_HIGHEST = 0.5;
+
+// Radiance of the ground at a place in the frame of the coast, as seen from far away. `map` is that of land_at.
+fn land_far_radiance(place: vec2f, map: vec4f) -> vec3f {
+  let tilt = land_to_world(map.yz);
+  let up = inverseSqrt(1.0 + dot(tilt, tilt));
+  let cosine = max(dot(vec3f(-tilt.x, 1.0, -tilt.y), frame.sun_direction), 0.0) * up;
+  let irradiance = cloud_sun_irradiance() * cosine + (0.5 + 0.5 * up) * light.sky_irradiance;
+  return land_mean_albedo(place, map) * irradiance * (1.0 / ATM_PI);
+}
+
+// Replaces what the water mirrors by the land, where its rays meet land. `place` is that of the water in the frame of the
+// coast, `height` its height, m. All rays that meet the land see the colour of its highest part.
+fn land_mirrored(mirror: WaterMirror, place: vec2f, height: f32, rays: WaterMirroredRays) -> WaterMirror {
+  let past = max(-place, place - land.side_m);
+  let over_level = inverseSqrt(max(dot(rays.ray.xz, rays.ray.xz), 1e-4));
+  let rise = rays.ray.y * over_level;
+  let lowest = rise - 2.0 * rays.blur.y;
+  if max(past.x, past.y) > LAND_LONGEST_RAY_M || lowest > LAND_MIRROR_HIGHEST {
+    return mirror;
+  }
+  let toward = land_from_world(rays.ray.xz) * over_level;
+  let horizon = land_horizon(place, height, toward, lowest);
+  var out = mirror;
+  if horizon.rise > 0.0 {
+    let sharp = inverseSqrt(rays.blur.y * rays.blur.y + 1e-6);
+    let low = -rise * sharp;
+    // Rays below the level meet other waves.
+    let met = foam_normal_cdf(low + horizon.rise * sharp) - foam_normal_cdf(low);
+    let at = place + toward * horizon.far_m;
+    let radiance = land_far_radiance(at, land_at(at, land_lod(0.25 * horizon.far_m)));
+    out.radiance = mix(mirror.radiance, (mirror.reflectance * material.sky_reflection) * radiance, met);
+  }
+  return out;
+}
