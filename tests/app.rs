@@ -26,7 +26,7 @@ fn open_tab(harness: &mut Harness<'_, App>, name: &str) {
 #[test]
 fn a_state_opens_and_shows_its_numbers() {
     let mut harness = open("wind=10&fetch=100&n=64&pause=1&t=5");
-    harness.get_by_label("waves 2.1 m high, every 6 s");
+    harness.get_by_label("waves 2.1 m high and 61 m long, every 6 s");
     open_tab(&mut harness, "Study");
     let picture = harness.render().expect("a picture");
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
@@ -579,7 +579,7 @@ fn a_running_sea_has_the_light_asked_for_and_a_still_the_full_one() {
 #[test]
 fn the_sea_is_measured_and_its_passes_are_timed() {
     let mut harness = open_in("wind=10&fetch=100&n=128&pause=1&t=5&renderscale=0.3", [700.0, 1400.0]);
-    for section in ["Study", "Plots", "More numbers", "Time of a frame"] {
+    for section in ["Study", "Spectrum and other plots", "More numbers", "Time of a frame"] {
         harness.get_by_label(section).click();
         harness.run_steps(8);
     }
@@ -725,6 +725,9 @@ fn the_weather_tab_sets_wind_swell_and_sun() {
     };
     set(&mut harness, "Beaufort", 8.0);
     set(&mut harness, "Sun height", 5.0);
+    assert_eq!(harness.state().state(), "wind=18.9&sun=5&pause=1&n=64");
+    harness.get_by_label("As high as the textbook").click();
+    harness.run_steps(3);
     assert_eq!(harness.state().state(), "wind=18.9&fetch=200&sun=5&pause=1&n=64");
     // Whoever sets a swell's height gets a swell, and can have none again.
     set(&mut harness, "Swell height", 3.0);
@@ -748,7 +751,7 @@ fn pictures_to_look_at() {
     let storm = "wind=28&fetch=600&sun=12&n=128&t=30&adaptive=0";
     for (name, state, size, open) in [
         ("wide", bright, [1920.0, 1080.0], &[][..]),
-        ("wide-busy", busy, [1920.0, 1080.0], &["Study", "Plots"][..]),
+        ("wide-busy", busy, [1920.0, 1080.0], &["Study", "Spectrum and other plots"][..]),
         ("usual", busy, [1280.0, 720.0], &["Seas"][..]),
         ("weather", START, [1280.0, 720.0], &[][..]),
         ("view", START, [1280.0, 720.0], &["View"][..]),
@@ -763,11 +766,18 @@ fn pictures_to_look_at() {
             "plots",
             record,
             [1280.0, 900.0],
-            &["Study", "Plots", "Directions", "Sea at a buoy", "Cut through the sea", "Crests at a buoy"][..],
+            &[
+                "Study",
+                "Spectrum and other plots",
+                "Directions",
+                "Sea at a buoy",
+                "Cut through the sea",
+                "Crests at a buoy",
+            ][..],
         ),
         ("phone", bright, [390.0, 844.0], &[][..]),
         ("phone-open", storm, [390.0, 844.0], &["Weather"][..]),
-        ("phone-plots", busy, [390.0, 844.0], &["Study", "Plots"][..]),
+        ("phone-plots", busy, [390.0, 844.0], &["Study", "Spectrum and other plots"][..]),
         ("help", storm, [1280.0, 720.0], &["keys"][..]),
     ] {
         if std::env::var("ONLY").is_ok_and(|only| !name.contains(&only)) {

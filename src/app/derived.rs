@@ -7,8 +7,10 @@ use crate::point::floating::HullWaves;
 use crate::state::Params;
 use crate::waves::crest_theory::CrestTheory;
 use crate::waves::statistics::{LatticeStatistics, SpectrumStatistics};
+use crate::waves::system::WaveSystem;
 use crate::waves::{Plan, SeaChange};
 use std::cell::OnceCell;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Plan, statistics and plot data of one sea, computed from its parameters. The expensive parts are computed at their
@@ -22,6 +24,8 @@ pub struct DerivedSeaData {
     /// Statistics of the sea (wave height, periods, slope, direction) by theory, from integrals of the continuous
     /// spectrum.
     pub theoretical_statistics: SpectrumStatistics,
+    /// Height and length of the waves of each wave system by theory.
+    pub systems: Vec<SystemSize>,
     /// Statistics of the resolved waves (those on the FFT grids), as sums over these waves; empty until first used.
     resolved: OnceCell<LatticeStatistics>,
     /// The strongest waves of the sea, selected as for the motion of floating hulls; here they only give the height of
@@ -35,12 +39,34 @@ pub struct DerivedSeaData {
     crest_theory: OnceCell<CrestTheory>,
 }
 
+/// How high and how long the waves of one wave system are.
+pub struct SystemSize {
+    /// Number of the system: 1 is the wind sea.
+    pub number: usize,
+    /// Significant wave height, m.
+    pub hs_m: f64,
+    /// Wavelength at the peak of the system's spectrum, m.
+    pub length_m: f64,
+}
+
+impl SystemSize {
+    fn new(system: &WaveSystem, plan: &Plan) -> Self {
+        Self {
+            number: system.number,
+            hs_m: 4.0 * system.spectrum.variance_m2().sqrt(),
+            length_m: TAU / plan.dispersion.wave_number(system.spectrum.omega_p),
+        }
+    }
+}
+
 impl DerivedSeaData {
     /// Computes the plan of a sea and its statistics by theory; the other quantities follow when they are first used.
     pub fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
         let theory = SpectrumStatistics::new(&plan);
+        let systems = plan.systems.iter().map(|system| SystemSize::new(system, &plan)).collect();
         Self {
+            systems,
             params: params.clone(),
             plan,
             theoretical_statistics: theory,

@@ -171,8 +171,8 @@ impl AdaptiveQuality {
         let has_all_waves = self.reduced_grid(grid, screen).n == grid.n;
         let waves = if has_all_waves { "" } else { tr(", without the shortest waves") };
         let why = match self.governor.whole_frame_gpu_s() {
-            Some(gpu_s) => say!("with all of them this GPU needs {ms} ms a frame", ms = format!("{:.0}", 1e3 * gpu_s)),
-            None => say!("a frame takes {ms} ms", ms = format!("{:.0}", self.frame_ms())),
+            Some(gpu_s) => say!("with all of them this GPU needs {time} a frame", time = frame_time(gpu_s)),
+            None => say!("a frame takes {time}", time = frame_time(1e-3 * self.frame_ms())),
         };
         Some(say!(
             "Drawn at {percent} % of the pixels{light}{waves}: {why}.",
@@ -201,6 +201,11 @@ impl AdaptiveQuality {
             say!("{percent} % of the pixels, to keep up", percent = percent)
         }
     }
+}
+
+/// The time of a frame with its unit: milliseconds, or seconds if it is longer than two.
+fn frame_time(time_s: f64) -> String {
+    if time_s > 2.0 { format!("{time_s:.0} s") } else { format!("{:.0} ms", 1e3 * time_s) }
 }
 
 #[cfg(test)]

@@ -76,7 +76,6 @@ impl App {
             return;
         }
         self.picture_job = Some(PictureJob { size, frames: 0 });
-        self.show_brief_message(tr("The picture is being drawn in full."));
     }
 
     /// Whether the sea stands still: the user has stopped the time, or a picture is being drawn to be saved.

@@ -32,7 +32,7 @@ pub use seas::OwnSeas;
 pub use sheet::show_bottom_sheet;
 #[cfg(target_arch = "wasm32")]
 pub use summary::sea_summary;
-pub use summary::show_summary;
+pub use summary::{show_summary, system_name};
 
 /// Width of the window, points, below which the panel is a sheet at the bottom of the window.
 const NARROW_WINDOW_POINTS: f32 = 640.0;
@@ -218,8 +218,10 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
         }
         let frame = ui.style().spacing.window_margin.bottomf();
         let height = screen.bottom() - place::MARGIN_POINTS - frame - ui.cursor().top();
-        // What is too wide scrolls sideways: the panel keeps its width, so that no row moves away from the pointer.
-        let scroll = egui::ScrollArea::both().max_height(height.max(MIN_SCROLL_POINTS)).auto_shrink([false, true]);
+        // What is too wide scrolls sideways: the panel keeps its width, so that no row moves away from the pointer. Each tab
+        // stays where it was scrolled to.
+        let scroll = egui::ScrollArea::both().id_salt(tab).max_height(height.max(MIN_SCROLL_POINTS));
+        let scroll = scroll.auto_shrink([false, true]);
         scroll.show(ui, |ui| {
             // Room for the scroll bar, whether it is shown or not: the rows do not move when it appears.
             ui.set_max_width(width - 14.0);

@@ -28,6 +28,10 @@ impl App {
         }];
         self.notices = list.notices.iter().chain(&list.records[used].notices).cloned().collect();
         self.params.sea.set_measured_spectrum(spectrum);
+        // A buoy measures all waves of its sea. Others would come on top.
+        for system in &mut self.params.sea.systems[1..] {
+            system.height_factor = 0.0;
+        }
         if count > 1 {
             self.panel.open(Tab::Study);
             self.panel.spectra = Some(list);

@@ -17,7 +17,7 @@ pub fn show_study(app: &mut App, ui: &mut egui::Ui) {
     egui::CollapsingHeader::new(tr("Open a spectrum or a sky")).show(ui, |ui| share::show_open_buttons(app, ui));
     show_parameters(app, ui);
     ui.separator();
-    egui::CollapsingHeader::new(tr("Plots")).show(ui, |ui| plots::show_all_plots(app, ui));
+    egui::CollapsingHeader::new(tr("Spectrum and other plots")).show(ui, |ui| plots::show_all_plots(app, ui));
     egui::CollapsingHeader::new(tr("More numbers")).show(ui, |ui| numbers::show_all_statistics(app, ui));
     egui::CollapsingHeader::new(tr("Time of a frame")).show(ui, |ui| numbers::show_frame_times(app, ui));
     egui::CollapsingHeader::new(tr("This program")).show(ui, |ui| numbers::show_system_information(app, ui));
@@ -64,7 +64,13 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         let header = egui::CollapsingHeader::new(tr(group.label())).id_salt((group.label(), searching));
         let expand = (added == Some(group)).then_some(true);
         header.default_open(searching).open(expand).show(ui, |ui| {
+            let coast = app.params.coast.name;
             rows::show_group(&mut app.params, group, &fields, ui);
+            // A coast comes with the depth of its edge and a camera before its shore.
+            let chosen = app.params.coast.name;
+            if chosen != coast {
+                app.choose_coast(chosen);
+            }
             match group {
                 Group::Sky if !searching => {
                     sun::show_rise_and_set(&app.params, ui);

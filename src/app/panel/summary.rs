@@ -1,10 +1,12 @@
 //! The text over the sea at the top left: wind, waves, time and frame rate.
 
 use super::super::App;
+use super::super::derived::SystemSize;
 use super::super::units::UnitScale;
 use super::weather::compass_point;
 use super::{Tab, free_part, has_room};
 use crate::app::language::{local_number, say, tr};
+use crate::state::params::SpectrumKind;
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// Largest width of the text, points.
@@ -20,6 +22,41 @@ pub fn sea_summary(app: &App) -> String {
     {
         let force = beaufort::beaufort_number(app.params.sea.first_system().wind_m_s);
         say!("Hs {height}, Beaufort {force}", height = hs, force = force)
+    }
+}
+
+/// How high and long the waves are; of each wave system, if there are several.
+fn waves_in_words(app: &App) -> String {
+    let (t, metres) = (&app.derived.theoretical_statistics, app.length_scale());
+    let height = metres.format(t.hs_m, 1);
+    let systems = &app.derived.systems;
+    if systems.len() < 2 {
+        return say!(
+            "waves {height} high and {length} long, every {period} s",
+            height = height,
+            length = metres.format(t.lambda_p_m, 0),
+            period = format!("{:.0}", t.tp_s)
+        );
+    }
+    let in_words = |system: &SystemSize| {
+        say!(
+            "{system} {height} high and {length} long",
+            system = system_name(system.number),
+            height = metres.format(system.hs_m, 1),
+            length = metres.format(system.length_m, 0)
+        )
+    };
+    let parts: Vec<String> = systems.iter().map(in_words).collect();
+    say!("waves {height} high: {parts}", height = height, parts = parts.join(", "))
+}
+
+/// Name of a wave system by its number.
+pub fn system_name(number: usize) -> &'static str {
+    match number {
+        1 => tr("wind sea"),
+        2 => tr("swell"),
+        3 => tr("second swell"),
+        _ => tr("third swell"),
     }
 }
 
@@ -44,20 +81,14 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             let wind_m_s = app.params.sea.first_system().wind_m_s;
             let name = BEAUFORT_FORCES[beaufort::beaufort_number(wind_m_s)].name;
             let white = |text: String, points: f32| egui::RichText::new(text).size(points).color(egui::Color32::WHITE);
-            let t = &app.derived.theoretical_statistics;
-            let (metres, speed) = (app.length_scale(), UnitScale::for_unit("m/s", app.params.screen.units));
+            let speed = UnitScale::for_unit("m/s", app.params.screen.units);
             let from = compass_point(app.params.sea.first_system().from_deg);
-            let wind = say!(
-                "{name}, {speed} from {from}",
-                name = tr(name),
-                speed = speed.format(wind_m_s, 1),
-                from = tr(from)
-            );
-            let waves = say!(
-                "waves {height} high, every {period} s",
-                height = metres.format(t.hs_m, 1),
-                period = format!("{:.0}", t.tp_s)
-            );
+            let wind = if app.params.sea.first_system().spectrum == SpectrumKind::Measured {
+                tr("Measured waves").to_owned()
+            } else {
+                say!("{name}, {speed} from {from}", name = tr(name), speed = speed.format(wind_m_s, 1), from = tr(from))
+            };
+            let waves = waves_in_words(app);
             let (ms, rate) = (app.quality.frame_ms(), app.quality.frames_per_second());
             let keeps_up = say!(
                 "t = {time} s, {ms} ms a frame, {rate} frames/s",

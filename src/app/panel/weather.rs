@@ -10,6 +10,9 @@ use crate::state::fields::{self, Group};
 use crate::state::look::SunPlacement;
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
+/// Lines that the longest description of a Beaufort force takes in the panel.
+const APPEARANCE_LINES: f32 = 3.0;
+
 /// Names of the sixteen points of the compass, clockwise from north.
 const COMPASS_POINTS: [&str; 16] = [
     text!("N"),
@@ -170,7 +173,7 @@ fn show_rows(app: &mut App, ui: &mut egui::Ui, rows: &[Row]) {
 }
 
 /// Adds the slider of the wind speed, its force and name on the Beaufort scale, what the sea looks like in it, and a
-/// button that gives the wind the fetch for which the sea is as high as the scale says.
+/// button that gives the wind the fetch for which the sea is as high as the scale says, if it has another one.
 fn show_wind(app: &mut App, ui: &mut egui::Ui) {
     let force = beaufort::beaufort_number(app.params.sea.first_system().wind_m_s);
     ui.horizontal(|ui| {
@@ -186,7 +189,11 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
     let metres = app.length_scale();
     let hs_m = app.derived.theoretical_statistics.hs_m;
     let (code, word) = beaufort::sea_state(hs_m);
-    ui.label(tr(force.appearance)).on_hover_text(tr("Beaufort scale, WMO"));
+    // Room for the longest text, so that no row below moves away from the pointer.
+    ui.scope(|ui| {
+        ui.set_min_height(APPEARANCE_LINES * ui.text_style_height(&egui::TextStyle::Body));
+        ui.label(tr(force.appearance)).on_hover_text(tr("Beaufort scale, WMO"));
+    });
     ui.weak(say!(
         "Textbook height {textbook}, this sea {height}; sea state {code}, {word} (Douglas)",
         textbook = metres.format(force.probable_hs_m, 1),
@@ -194,6 +201,14 @@ fn show_wind(app: &mut App, ui: &mut egui::Ui) {
         code = code,
         word = tr(word),
     ));
+    if app.params.sea.first_system().fetch_km != force.fetch_km {
+        let help = tr("Lets the wind blow over so much water that the sea is as high as the Beaufort scale says.");
+        if button_with_help(ui, tr("As high as the textbook"), help) {
+            let wind_m_s = app.params.sea.first_system().wind_m_s;
+            app.params = force.apply(&app.params);
+            app.params.sea.systems[0].wind_m_s = wind_m_s;
+        }
+    }
 }
 
 /// Adds the slider of the wind's force, and the field of its speed.
@@ -204,7 +219,7 @@ pub fn show_force_slider(app: &mut App, ui: &mut egui::Ui) {
     let mut number = force as f64;
     ui.spacing_mut().slider_width = rows::slider_width(ui);
     let slider = egui::Slider::new(&mut number, 0.0..=12.0).integer().show_value(false);
-    let help = tr("Sets the wind of this force, and a fetch for which the sea is as high as the scale says.");
+    let help = tr("Sets the wind of this force.");
     let slider = ui.add(slider);
     touch::keep_value_while_scrolling(ui, &slider, &mut number, force as f64);
     rows::explain(ui, with_accessible_value(slider, tr("Beaufort"), number), help);
@@ -217,7 +232,11 @@ pub fn show_force_slider(app: &mut App, ui: &mut egui::Ui) {
     }
     let number = number.round() as usize;
     if number != force {
-        app.params = BEAUFORT_FORCES[number].apply(&app.params);
+        app.params.sea.systems[0].wind_m_s = BEAUFORT_FORCES[number].mean_wind_m_s;
+        // A wind that does nothing, such as that of a measured spectrum, shall blow.
+        if fields::find("wind").is_some_and(|wind| wind.inactive_because(&app.params).is_some()) {
+            app.params = BEAUFORT_FORCES[number].apply(&app.params);
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 //! the buoy's record.
 
 use super::super::App;
+use super::super::panel::system_name;
 use super::{PLOT_COLOURS, PlotTable, fixed_plot};
 use crate::app::language::tr;
 use crate::state::params::MAX_WAVE_SYSTEMS;
@@ -58,7 +59,7 @@ pub fn show_spectrum_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
                 let points = PlotPoints::from(curve(&|w| system.spectrum.density(w)));
                 let style = if system.number == 1 { LineStyle::dashed_loose() } else { LineStyle::dotted_loose() };
                 let colour = SYSTEM_COLOURS[system.number - 1];
-                plot.line(Line::new(format!("system {}", system.number), points).color(colour).style(style));
+                plot.line(Line::new(system_name(system.number), points).color(colour).style(style));
             }
         }
         for cascade in plan.cascades.iter().skip(1) {

@@ -40,7 +40,7 @@ parameters! {
     pub struct SkyLook {
         /// How the position of the sun is given. direction: by elevation and azimuth; date: by day, hour and latitude.
         sun_placement: SunPlacement = SunPlacement::Direction => ("sunby", "Sun by", "", Choice(SunPlacement::WORDS)),
-        /// Elevation of the sun above the horizon: below -6 it is dusk, below -18 night.
+        /// Elevation of the sun above the horizon: 0 to -12 is dusk or dawn, below -12 it is night.
         sun_elevation_deg: f64 = 24.0 => ("sun", "Sun height", "deg", number(-24.0, 90.0)),
         /// Azimuth of the sun, clockwise from north.
         sun_azimuth_deg: f64 = 340.0 => ("sunaz", "Sun azimuth", "deg", Heading),
