@@ -6,7 +6,7 @@ use super::local_wave::LocalWave;
 use super::losses::Dissipation;
 
 /// Ratio of the edges of the bands of frequency among which the peak of the spectrum is sought.
-const BAND_RATIO: f64 = 1.06;
+pub(super) const BAND_RATIO: f64 = 1.06;
 
 /// The sea at the points of a coast's grid, each map in the order of [`Bathymetry::depth_m`]. On land all are 0.
 #[derive(Clone, Debug, PartialEq)]
