@@ -71,3 +71,9 @@ impl SeaMaps {
         out
     }
 }
+
+/// Bearing, degrees clockwise from north, that waves come from which travel in the direction `direction_rad` (rad) of the
+/// frame of a coast whose land lies towards the bearing `toward_deg`.
+pub fn bearing_from_deg(toward_deg: f64, direction_rad: f64) -> f64 {
+    (toward_deg + direction_rad.to_degrees() + 180.0).rem_euclid(360.0)
+}

@@ -63,9 +63,8 @@ impl Transfer {
     /// Whether the waves of `plan` are those of the lattice for which the transfer was made.
     pub fn fits(&self, plan: &Plan) -> bool {
         let key = self.lattice;
-        let is_same = |patch_m, noise_key| {
-            (key.patch_m, key.noise_key, key.seed) == (patch_m, noise_key, plan.sea.seed)
-        };
+        let is_same =
+            |patch_m, noise_key| (key.patch_m, key.noise_key, key.seed) == (patch_m, noise_key, plan.sea.seed);
         plan.cascades.first().is_some_and(|c| is_same(c.patch_m, c.noise_key)) && self.columns > 1 && self.rows > 1
     }
 

@@ -21,6 +21,7 @@ use crate::waves::Plan;
 use crate::waves::statistics::{initial_amplitude, lattice_indices};
 use crate::waves::table::{SpectrumTable, entry_index};
 use std::f64::consts::TAU;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Statistics of the sea that a transfer draws.
@@ -168,8 +169,10 @@ pub struct StatisticsSolver {
     held_m2: Vec<f64>,
     /// Their energy flux along the axes of the frame, m^3/s.
     flux_m3_s: Vec<[f64; 2]>,
-    /// Their variance in each band, m^2: \[band\]\[point\].
+    /// Their variance in each of their bands, m^2: \[band\]\[point\].
     band_m2: Vec<f32>,
+    /// The bands of the waves of the transfer.
+    held_bands: Range<usize>,
 }
 
 impl StatisticsSolver {
@@ -178,11 +181,14 @@ impl StatisticsSolver {
     pub fn new(transfer: Arc<Transfer>, plan: &Plan) -> Option<Self> {
         let sea = OpenSea::new(transfer, plan)?;
         let points = sea.transfer.points.len();
+        let of_waves = || sea.waves.iter().map(|wave| wave.band);
+        let held_bands = of_waves().min().unwrap_or(0)..of_waves().max().map_or(0, |last| last + 1);
         Some(Self {
             next_wave: 0,
             held_m2: vec![0.0; points],
             flux_m3_s: vec![[0.0; 2]; points],
-            band_m2: vec![0.0; points * sea.bands.len()],
+            band_m2: vec![0.0; points * held_bands.len()],
+            held_bands,
             sea,
         })
     }
@@ -193,11 +199,7 @@ impl StatisticsSolver {
             self.add_wave(self.next_wave);
             self.next_wave += 1;
         }
-        if self.next_wave < self.sea.waves.len() {
-            self.next_wave as f64 / self.sea.waves.len() as f64
-        } else {
-            1.0
-        }
+        if self.next_wave < self.sea.waves.len() { self.next_wave as f64 / self.sea.waves.len() as f64 } else { 1.0 }
     }
 
     /// Does all remaining steps. Returns the statistics.
@@ -220,7 +222,11 @@ impl StatisticsSolver {
                 continue;
             }
             let [x, y] = [0, 1].map(|axis| self.flux_m3_s[index][axis] + rest_gain * sea.rest_flux_m3_s[axis]);
-            let in_band = |b: usize| f64::from(self.band_m2[b * count + index]) + rest_gain * sea.bands[b].rest_m2;
+            let held = |b: usize| {
+                let is_held = self.held_bands.contains(&b);
+                if is_held { f64::from(self.band_m2[(b - self.held_bands.start) * count + index]) } else { 0.0 }
+            };
+            let in_band = |b: usize| held(b) + rest_gain * sea.bands[b].rest_m2;
             let peak = (0..sea.bands.len()).max_by(|a, b| in_band(*a).total_cmp(&in_band(*b)));
             maps.hs_m[index] = (4.0 * m0.sqrt()) as f32;
             maps.direction_rad[index] = y.atan2(x) as f32;
@@ -240,6 +246,7 @@ impl StatisticsSolver {
         let (sea, transfer) = (&self.sea, &*self.sea.transfer);
         let (wave, columns, rows) = (&sea.waves[index], transfer.columns, transfer.rows);
         let count = columns * rows;
+        let band = (wave.band - self.held_bands.start) * count;
         let cell_m = transfer.cell_m;
         let group = &transfer.groups[transfer.waves[index].group as usize];
         let envelope = &transfer.envelopes[index * count..(index + 1) * count];
@@ -276,8 +283,7 @@ impl StatisticsSolver {
                     let coast = carrier_x[i] * carrier_y * weight;
                     let open = open_x[i] * open_y * ((1.0 - weight) * f64::from(point.short_gain));
                     value = value * coast + open;
-                    gradient =
-                        [0, 1].map(|axis| gradient[axis] * coast + Complex::I * open * wave.k_rad_m[axis]);
+                    gradient = [0, 1].map(|axis| gradient[axis] * coast + Complex::I * open * wave.k_rad_m[axis]);
                 }
                 // The flux of the energy is C Cg / omega Im(T* grad T) for a unit of variance.
                 let local = LocalWave::new(wave.omega_rad_s, f64::from(point.depth_m), sea.gravity_m_s2);
@@ -285,7 +291,7 @@ impl StatisticsSolver {
                 let variance_m2 = wave.variance_m2 * value.norm_squared();
                 let at = j * columns + i;
                 self.held_m2[at] += variance_m2;
-                self.band_m2[wave.band * count + at] += variance_m2 as f32;
+                self.band_m2[band + at] += variance_m2 as f32;
                 for axis in 0..2 {
                     self.flux_m3_s[at][axis] += flux * (value.conj() * gradient[axis]).im;
                 }

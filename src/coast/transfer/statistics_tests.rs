@@ -1,8 +1,8 @@
 use super::*;
 use crate::coast::open_sea::edge_depth_m;
 use crate::coast::placed::{PlacedCoast, PlacingOptions};
-use crate::coast::{BuiltInCoast, Losses};
 use crate::coast::transfer::{TransferLimits, TransferSolver};
+use crate::coast::{BuiltInCoast, Losses};
 use crate::state::query;
 
 fn plan(state: &str) -> Plan {
@@ -48,8 +48,25 @@ fn measure() {
         let m0: f64 = found.sea.bands.iter().map(|b| b.open_m2).sum();
         let sum = |f: &dyn Fn([i32; 2]) -> f64| transfer.waves.iter().map(|w| f(w.lattice_index)).sum::<f64>() / m0;
         let plain = sum(&|[ix, iz]| 4.0 * table.variance(ix, iz));
-        let drawn = sum(&|[ix, iz]| { let [a, b] = initial_amplitude(&sea, cascade, &table, ix, iz); 2.0 * (a * a + b * b) });
-        let hs: Vec<f64> = [0.1, 0.5, 0.8].iter().map(|x| f64::from(found.maps.hs_m[transfer.rows / 2 * transfer.columns + (x * transfer.columns as f64) as usize])).collect();
-        eprintln!("{}: solve {solved_s:.2} s, prepare {prepared_s:.3}, maps {took_s:.3}; {} waves; of m0 plain {plain:.3} expected {:.3} drawn {drawn:.3}; open {:.3} hs {hs:?} bands {}", coast.name, transfer.waves.len(), found.held_share(), found.open_hs_m(), found.sea.bands.len());
+        let drawn = sum(&|[ix, iz]| {
+            let [a, b] = initial_amplitude(&sea, cascade, &table, ix, iz);
+            2.0 * (a * a + b * b)
+        });
+        let hs: Vec<f64> = [0.1, 0.5, 0.8]
+            .iter()
+            .map(|x| {
+                f64::from(
+                    found.maps.hs_m[transfer.rows / 2 * transfer.columns + (x * transfer.columns as f64) as usize],
+                )
+            })
+            .collect();
+        eprintln!(
+            "{}: solve {solved_s:.2} s, prepare {prepared_s:.3}, maps {took_s:.3}; {} waves; of m0 plain {plain:.3} expected {:.3} drawn {drawn:.3}; open {:.3} hs {hs:?} bands {}",
+            coast.name,
+            transfer.waves.len(),
+            found.held_share(),
+            found.open_hs_m(),
+            found.sea.bands.len()
+        );
     }
 }
