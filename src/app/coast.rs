@@ -59,9 +59,9 @@ impl AppCoast {
         (self.task.land().cloned(), self.task.transfer().cloned())
     }
 
-    /// Whether frames take longer because the page solves the coast in them.
+    /// Whether frames take longer because the page solves the coast in them, or its maps are computed.
     pub fn slows_frames(&self) -> bool {
-        cfg!(target_arch = "wasm32") && self.task.progress().is_some()
+        cfg!(target_arch = "wasm32") && self.task.progress().is_some() || self.maps.progress().is_some()
     }
 }
 

@@ -87,6 +87,8 @@ fn show_place(app: &mut App, index: usize, ui: &mut egui::Ui) {
         }
     }
     if let Some(point) = app.coast.maps.wet_point(at_m).filter(|point| is_changed && *point != before) {
-        app.coast.maps.gauges[index].point = point;
+        let gauge = &mut app.coast.maps.gauges[index];
+        gauge.point = point;
+        gauge.record.clear();
     }
 }
