@@ -108,11 +108,12 @@ fn compared(name: &str, waves: &str, limits: &TransferLimits) -> Comparison {
     }
 }
 
-/// A swell, of which the transfer holds nearly all.
+/// A swell, of which the transfer holds the greater part. Its height is that of all waves; the command line leaves out the
+/// few that come at more than 75 degrees.
 #[test]
 fn the_drawn_swell_is_that_of_the_command_line() {
     for name in ["beach", "headland", "bar"] {
-        let found = compared(name, "hs=1.2&tp=13&swell=0.8&n=128", &LIMITS);
+        let found = compared(name, "hs=1.2&tp=13&swell=0.8&n=128", &TransferLimits { max_waves: 400, ..LIMITS });
         eprintln!("{name}: {found:?}");
         let [mean, spread] = found.ratio;
         assert!((mean - 1.0).abs() < 0.03 && spread < 0.05, "{name}: {found:?}");
