@@ -116,6 +116,7 @@ fn the_drawn_swell_is_that_of_the_command_line() {
         let found = compared(name, "hs=1.2&tp=13&swell=0.8&n=128", &TransferLimits { max_waves: 400, ..LIMITS });
         eprintln!("{name}: {found:?}");
         let [mean, spread] = found.ratio;
+        assert!(found.held_share > 0.65, "{name}: {found:?}");
         assert!((mean - 1.0).abs() < 0.03 && spread < 0.05, "{name}: {found:?}");
         assert!(found.angle_deg < 3.0 && found.breaking < 0.1, "{name}: {found:?}");
     }
