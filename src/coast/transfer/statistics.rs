@@ -352,7 +352,9 @@ impl TransferStatistics {
             let open_phase = wave.origin_phase_rad + wave.k_rad_m[0] * x_m + wave.k_rad_m[1] * y_m;
             let value = unpack(transfer.envelopes[index * transfer.points.len() + at]) * carrier
                 + Complex::polar((1.0 - weight) * gain, open_phase);
-            bands[wave.band].here_m2 += wave.variance_m2 * value.norm_squared();
+            if let Some(band) = bands.get_mut(wave.band) {
+                band.here_m2 += wave.variance_m2 * value.norm_squared();
+            }
         }
         bands.retain(|band| band.open_m2 > 0.0);
         bands
