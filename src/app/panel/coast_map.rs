@@ -69,8 +69,11 @@ pub fn show_map(app: &mut App, ui: &mut egui::Ui) {
         let text = in_words(app, &sea_at(&statistics, point));
         response.clone().on_hover_text_at_pointer(text);
     }
-    if let Some(at) = response.interact_pointer_pos().filter(|_| response.clicked()) {
-        gauges::place(app, view.in_frame_m(at));
+    if response.clicked() {
+        // A key or a screen reader points at no place.
+        let camera = [app.params.camera.x_m, app.params.camera.z_m];
+        let at_camera = || statistics.transfer().in_frame_m(camera);
+        gauges::place(app, response.interact_pointer_pos().map_or_else(at_camera, |at| view.in_frame_m(at)));
     }
     app.panel.coast_map = Some(picture);
     gauges::show_gauges(app, ui);
