@@ -117,6 +117,17 @@ fn the_map_is_shown_and_its_gauges_tell_the_same_sea() {
     harness.get_by_label("Gauge at the camera").click();
     harness.run_steps(2);
     harness.get_by_label("Gauge 2");
+    // A screen reader's click on the map, which points at no place, does the same; there is room for four.
+    for number in 3..6 {
+        harness.get_by_label("Map: Wave height").click_accesskit();
+        harness.run_steps(2);
+        assert_eq!(harness.query_by_label(&format!("Gauge {number}")).is_some(), number < 5, "{number}");
+    }
+    harness.get_by_label_contains("There is no room for more.");
+    for number in [4, 3] {
+        harness.get_by_label(&format!("Remove gauge {number}")).click();
+        harness.run_steps(2);
+    }
     // The place of the first gauge is that of the click.
     let value = |h: &Harness<'_, App>, name: &str| {
         let field = h.query_all_by_label(name).find_map(|node| node.accesskit_node().numeric_value());
