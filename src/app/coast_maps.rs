@@ -17,8 +17,8 @@ use std::sync::Arc;
 
 /// Largest number of gauges.
 pub const MAX_GAUGES: usize = 4;
-/// Points of all waves that a frame adds to the maps: 3 ms on a desktop, 6 ms on a page.
-const POINTS_PER_FRAME: usize = 1 << 17;
+/// Points of waves that a frame adds to the maps: 3 ms on a desktop.
+const POINTS_PER_FRAME: usize = 1 << 16;
 /// Length of the record that a frame adds to a gauge, s: 8 samples of 0.3 ms on a desktop.
 const RECORDED_PER_FRAME_S: f64 = 2.0;
 /// Time before the present at which the record of a gauge begins, s.
@@ -127,7 +127,7 @@ impl CoastMaps {
         }
         let Some((mut solver, _)) = self.solver.take() else { return false };
         let mut done = 0.0;
-        for _ in 0..(POINTS_PER_FRAME / transfer.points.len().max(1)).max(1) {
+        for _ in 0..POINTS_PER_FRAME.div_ceil(transfer.points.len().max(1)) {
             done = solver.step();
         }
         if done < 1.0 {

@@ -161,7 +161,7 @@ fn expected_waves(transfer: &Transfer, plan: &Plan, band_of: impl Fn(f64) -> usi
 }
 
 /// Computes [`TransferStatistics`] in small steps: a step takes about a millisecond, so that a program with one thread
-/// can draw frames between steps. All steps together take about 25 ns for each wave and point.
+/// can draw frames between steps. All steps together take about 40 ns for each wave and point.
 pub struct StatisticsSolver {
     sea: OpenSea,
     next_wave: usize,
@@ -181,7 +181,7 @@ impl StatisticsSolver {
     pub fn new(transfer: Arc<Transfer>, plan: &Plan) -> Option<Self> {
         let sea = OpenSea::new(transfer, plan)?;
         let points = sea.transfer.points.len();
-        let of_waves = || sea.waves.iter().map(|wave| wave.band);
+        let of_waves = || sea.waves.iter().filter(|wave| wave.variance_m2 > 0.0).map(|wave| wave.band);
         let held_bands = of_waves().min().unwrap_or(0)..of_waves().max().map_or(0, |last| last + 1);
         Some(Self {
             next_wave: 0,
@@ -195,8 +195,10 @@ impl StatisticsSolver {
 
     /// Adds the next wave. Returns the fraction of the work that is done, 1 at the end.
     pub fn step(&mut self) -> f64 {
-        if self.next_wave < self.sea.waves.len() {
-            self.add_wave(self.next_wave);
+        if let Some(wave) = self.sea.waves.get(self.next_wave) {
+            if wave.variance_m2 > 0.0 {
+                self.add_wave(self.next_wave);
+            }
             self.next_wave += 1;
         }
         if self.next_wave < self.sea.waves.len() { self.next_wave as f64 / self.sea.waves.len() as f64 } else { 1.0 }
@@ -213,7 +215,7 @@ impl StatisticsSolver {
             peak_period_s: vec![0.0; count],
             breaking_fraction: vec![0.0; count],
         };
-        let sea = &self.sea;
+        let (sea, peak_rad_s) = (&self.sea, self.peaks_rad_s());
         for (index, point) in transfer.points.iter().enumerate().filter(|(_, point)| point.depth_m > 0.0) {
             let rest_gain = f64::from(point.short_gain).powi(2);
             let held_m2 = self.held_m2[index];
@@ -222,15 +224,9 @@ impl StatisticsSolver {
                 continue;
             }
             let [x, y] = [0, 1].map(|axis| self.flux_m3_s[index][axis] + rest_gain * sea.rest_flux_m3_s[axis]);
-            let held = |b: usize| {
-                let is_held = self.held_bands.contains(&b);
-                if is_held { f64::from(self.band_m2[(b - self.held_bands.start) * count + index]) } else { 0.0 }
-            };
-            let in_band = |b: usize| held(b) + rest_gain * sea.bands[b].rest_m2;
-            let peak = (0..sea.bands.len()).max_by(|a, b| in_band(*a).total_cmp(&in_band(*b)));
             maps.hs_m[index] = (4.0 * m0.sqrt()) as f32;
             maps.direction_rad[index] = y.atan2(x) as f32;
-            maps.peak_period_s[index] = peak.map_or(0.0, |band| (TAU / sea.bands[band].omega_rad_s) as f32);
+            maps.peak_period_s[index] = (TAU / peak_rad_s[index]) as f32;
             maps.breaking_fraction[index] = breaking_fraction(point, held_m2) as f32;
         }
         let bathymetry = Bathymetry {
@@ -240,6 +236,22 @@ impl StatisticsSolver {
             depth_m: transfer.points.iter().map(|point| point.depth_m).collect(),
         };
         TransferStatistics { bathymetry, maps, sea: self.sea }
+    }
+
+    /// Angular frequency of the strongest band at each point, rad/s.
+    fn peaks_rad_s(&self) -> Vec<f64> {
+        let (sea, points) = (&self.sea, &self.sea.transfer.points);
+        // Among the bands without waves of the transfer, the strongest one is the same everywhere.
+        let without = sea.bands.iter().enumerate().filter(|(b, _)| !self.held_bands.contains(b));
+        let of_rest = without.map(|(_, band)| [band.rest_m2, band.omega_rad_s]).fold([0.0; 2], stronger);
+        let gain = |point: &SeaAtPoint| f64::from(point.short_gain).powi(2);
+        let mut peaks: Vec<[f64; 2]> = points.iter().map(|p| [gain(p) * of_rest[0], of_rest[1]]).collect();
+        for (band, held) in sea.bands[self.held_bands.clone()].iter().zip(self.band_m2.chunks(points.len().max(1))) {
+            for ((peak, point), held_m2) in peaks.iter_mut().zip(points).zip(held) {
+                *peak = stronger(*peak, [f64::from(*held_m2) + gain(point) * band.rest_m2, band.omega_rad_s]);
+            }
+        }
+        peaks.into_iter().map(|[_, omega]| omega).collect()
     }
 
     fn add_wave(&mut self, index: usize) {
@@ -299,6 +311,11 @@ impl StatisticsSolver {
             (below, here) = (here, above);
         }
     }
+}
+
+/// The one of two pairs of variance and frequency that has more variance.
+fn stronger(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    if b[0] > a[0] { b } else { a }
 }
 
 /// Slope of `values`, which are `step` apart, at the index `i`: by the values on both sides.

@@ -177,3 +177,42 @@ fn the_strongest_waves_have_the_expected_variance() {
     assert!((expected / drawn - 1.0).abs() < 0.1, "{expected} {drawn}");
     assert!(plain < 0.8 * drawn, "without the selection {plain} of {drawn}");
 }
+
+/// The time of the preparation, of the longest step and of all steps.
+#[test]
+#[ignore = "measures time: cargo test --release --lib load_of_the_statistics -- --ignored --nocapture"]
+fn load_of_the_statistics() {
+    let now = || {
+        #[allow(clippy::disallowed_methods, reason = "a test on the desktop")]
+        std::time::Instant::now()
+    };
+    for name in ["beach", "harbour"] {
+        let coast = PlacedCoast::built_in(BuiltInCoast::find(name).expect("a coast"), &PlacingOptions::default());
+        let coast = coast.expect("a place");
+        let from = (coast.toward_deg + 180.0) % 360.0;
+        let sea = plan(&format!("depth={:.1}&hs=1.5&tp=9&dir={from}", edge_depth_m(&coast)));
+        let limits = TransferLimits { max_waves: 100, ..TransferLimits::default() };
+        let transfer = Arc::new(TransferSolver::new(&sea, &coast, &limits).finish());
+        let begun = now();
+        let mut solver = StatisticsSolver::new(transfer.clone(), &sea).expect("the same lattice");
+        let (prepared, mut longest_s) = (begun.elapsed(), 0.0_f64);
+        let stepping = now();
+        loop {
+            let step = now();
+            let done = solver.step();
+            longest_s = longest_s.max(step.elapsed().as_secs_f64());
+            if done >= 1.0 {
+                break;
+            }
+        }
+        let values = (transfer.waves.len() * transfer.points.len()) as f64;
+        let per_value_ns = 1e9 * stepping.elapsed().as_secs_f64() / values;
+        let finishing = now();
+        drop(solver.finish());
+        eprintln!(
+            "{name}: prepared in {prepared:.1?}, a step takes at most {:.2} ms, {per_value_ns:.0} ns a value, the end {:.1?}",
+            1e3 * longest_s,
+            finishing.elapsed()
+        );
+    }
+}
