@@ -236,6 +236,52 @@ fn the_safe_area_keeps_text_away_from_the_edges() {
     }
 }
 
+/// The map of a coast with a gauge and its plots, in windows as wide as a phone and as a screen, and high enough to show all
+/// of it, in every language.
+#[test]
+fn the_map_of_the_coast_is_not_cut() {
+    let sea = "coast=beach&depth=12&hs=1.5&tp=9&dir=255&n=64&pause=1&mesh=0.1&renderscale=0.25";
+    for size in [[390.0, 6400.0], [1280.0, 2000.0]] {
+        let mut harness = open(sea, size, 1.0);
+        harness.ctx.all_styles_mut(|style| style.animation_time = 0.0);
+        for _ in 0..6000 {
+            harness.run_steps(1);
+            if harness.state().is_coast_shown() {
+                break;
+            }
+            std::thread::park_timeout(std::time::Duration::from_millis(10));
+        }
+        for language in Language::WORDS {
+            harness.state_mut().set_state(&format!("{sea}&lang={language}"));
+            harness.run_steps(4);
+            // The names of the headers are those of the language, so each is opened anew.
+            if harness.query_by_label(tr("Map of the coast")).is_none() {
+                harness.get_by_label(tr("Weather")).click_accesskit();
+                harness.run_steps(6);
+            }
+            let map = tr("Map: {quantity}").replace("{quantity}", tr("Wave height"));
+            if harness.query_by_label(&map).is_none() {
+                harness.get_by_label(tr("Map of the coast")).click_accesskit();
+                harness.run_steps(200);
+            }
+            harness.get_by_label(&map);
+            let number = |text: &str| tr(text).replace("{number}", "1");
+            if harness.query_by_label(&number("Gauge {number}")).is_none() {
+                harness.get_by_label(tr("Gauge at the camera")).click_accesskit();
+                harness.run_steps(3);
+            }
+            harness.get_by_label(&number("Gauge {number}"));
+            if harness.query_by_label_contains(tr("Variance density S(ω), m² s, over ω, rad/s")).is_none() {
+                harness.get_by_label(&number("Plots of gauge {number}")).click_accesskit();
+                harness.run_steps(50);
+            }
+            let found = faults(&harness.output().shapes, harness.ctx.content_rect());
+            assert!(found.is_empty(), "{size:?} {language}: {found:#?}");
+        }
+        assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    }
+}
+
 /// The check finds a planted fault of each kind.
 #[test]
 fn the_check_finds_faults() {

@@ -1,6 +1,7 @@
 //! The coast of the app: chosen in the panel, opened from a file, and solved beside the running sea.
 
 use super::App;
+use super::coast_maps::CoastMaps;
 use crate::app::language::{say, text, tr};
 use crate::coast::placed::PlacedCoast;
 use crate::coast::transfer::TransferSolver;
@@ -38,6 +39,8 @@ pub struct AppCoast {
     task: CoastTask<TransferSolver>,
     /// The bathymetry that was opened last. It is used again when an opened link's coast is a file.
     file: Option<CoastFile>,
+    /// Maps of the sea near the coast, and gauges.
+    pub maps: CoastMaps,
 }
 
 impl Default for AppCoast {
@@ -46,7 +49,7 @@ impl Default for AppCoast {
         let worker = Worker::EachCall(SLICE);
         #[cfg(not(target_arch = "wasm32"))]
         let worker = Worker::Thread;
-        Self { task: CoastTask::new(worker), file: None }
+        Self { task: CoastTask::new(worker), file: None, maps: CoastMaps::default() }
     }
 }
 
@@ -56,9 +59,9 @@ impl AppCoast {
         (self.task.land().cloned(), self.task.transfer().cloned())
     }
 
-    /// Whether frames take longer because the page solves the coast in them.
+    /// Whether frames take longer because the page solves the coast in them, or its maps are computed.
     pub fn slows_frames(&self) -> bool {
-        cfg!(target_arch = "wasm32") && self.task.progress().is_some()
+        cfg!(target_arch = "wasm32") && self.task.progress().is_some() || self.maps.progress().is_some()
     }
 }
 
@@ -78,6 +81,7 @@ impl App {
             #[cfg(not(target_arch = "wasm32"))]
             ctx.request_repaint_after(SHOWN_EVERY);
         }
+        self.advance_coast_maps(ctx);
     }
 
     /// How far the solution of the coast is, in words; `None` if nothing is being solved.

@@ -5,6 +5,7 @@ mod camera;
 mod caption;
 mod clock;
 mod coast;
+mod coast_maps;
 mod derived;
 pub mod device_loss;
 mod film;
@@ -264,6 +265,7 @@ impl App {
         let Some(change) = self.derived.update(&self.params) else { return };
         if change > SeaChange::Foam {
             self.record.clear();
+            self.coast.maps.clear_records();
         }
         self.discard_measurements();
     }

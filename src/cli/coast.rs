@@ -120,12 +120,12 @@ pub fn run(args: &CoastArgs, params: &Params, report: impl Fn(&[String])) -> Res
             Format::Png => sea.figure().png()?,
             Format::Svg => sea.figure().svg()?.into_bytes(),
             Format::NetCdf => sea.netcdf(),
-            Format::Csv => sea.gauges.csv(&sea.state, &sea.coast.title).into_bytes(),
+            Format::Csv => sea.gauges.csv(&format!("seastate coast '{}'", sea.state), &sea.coast.title).into_bytes(),
         };
         write(path, &bytes)?;
     }
     if let Some(path) = &args.record {
-        write(path, sea.gauges.record_csv(&sea.state, params.clock.t_s, args.hours, args.rate)?.as_bytes())?;
+        write(path, sea.record_csv(params.clock.t_s, args.hours, args.rate)?.as_bytes())?;
     }
     Ok(CoastSea::to_string(&sea))
 }

@@ -14,6 +14,9 @@ pub mod built_in;
 pub mod complex;
 pub mod elliptic;
 pub mod field;
+#[cfg(feature = "files")]
+pub mod fields_file;
+pub mod gauges;
 pub mod incident;
 mod line;
 pub mod local_wave;

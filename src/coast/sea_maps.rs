@@ -6,7 +6,7 @@ use super::local_wave::LocalWave;
 use super::losses::Dissipation;
 
 /// Ratio of the edges of the bands of frequency among which the peak of the spectrum is sought.
-const BAND_RATIO: f64 = 1.06;
+pub(super) const BAND_RATIO: f64 = 1.06;
 
 /// The sea at the points of a coast's grid, each map in the order of [`Bathymetry::depth_m`]. On land all are 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,4 +70,10 @@ impl SeaMaps {
         }
         out
     }
+}
+
+/// Bearing, degrees clockwise from north, that waves come from which travel in the direction `direction_rad` (rad) of the
+/// frame of a coast whose land lies towards the bearing `toward_deg`.
+pub fn bearing_from_deg(toward_deg: f64, direction_rad: f64) -> f64 {
+    (toward_deg + direction_rad.to_degrees() + 180.0).rem_euclid(360.0)
 }

@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::super::coast::COAST_NAMES;
-use super::{button_with_help, rows};
+use super::{button_with_help, coast_map, rows};
 use crate::app::language::{say, text, tr};
 use crate::coast::built_in::BuiltInCoast;
 use crate::state::coast::CoastName;
@@ -85,6 +85,9 @@ pub fn show_coast(app: &mut App, ui: &mut egui::Ui) {
         }
         show_open_button(app, ui);
     });
+    if app.params.coast.is_on() {
+        egui::CollapsingHeader::new(tr("Map of the coast")).show(ui, |ui| coast_map::show_map(app, ui));
+    }
     egui::CollapsingHeader::new(tr("What coasts do to waves")).show(ui, |ui| show_effects(app, ui));
 }
 

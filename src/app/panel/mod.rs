@@ -3,6 +3,8 @@
 
 mod chosen;
 mod coast;
+mod coast_map;
+mod gauges;
 mod handle;
 mod numbers;
 mod place;
@@ -115,6 +117,8 @@ pub struct Panel {
     pub seed_locked: bool,
     /// Spectra of the file that was opened last, if it holds several; `None` if it does not or the list was closed.
     spectra: Option<SpectrumList>,
+    /// The picture of the map of the coast, once it was shown.
+    coast_map: Option<coast_map::MapPicture>,
     /// The sheet of a narrow window.
     pub sheet: sheet::Sheet,
     /// Place and width of the panel of a wide window.

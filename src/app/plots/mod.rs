@@ -4,6 +4,7 @@
 //! differ in dashes.
 
 mod exceedance;
+pub mod gauge;
 pub mod polar;
 mod profile;
 mod series;

@@ -38,9 +38,9 @@ impl DirectionalSpectrumSamples {
     }
 }
 
-/// Colour in the polar plot where the spectral density is `x`^2 times the plot's largest (`x` from 0 to 1), from the
-/// colour map cividis, whose brightness increases in colour-blind sight (Nunez et al. 2018).
-fn density_colour(x: f64) -> Color32 {
+/// Colour of a value from 0 to 1 of the colour map cividis, whose brightness increases in colour-blind sight (Nunez et al.
+/// 2018). In the polar plot `x` is the root of the spectral density over the plot's largest.
+pub fn cividis(x: f64) -> Color32 {
     const STOPS: [[f64; 3]; 5] =
         [[0.0, 0.13, 0.30], [0.25, 0.30, 0.42], [0.49, 0.48, 0.47], [0.73, 0.68, 0.43], [1.0, 0.91, 0.27]];
     let at = x.clamp(0.0, 1.0) * 4.0;
@@ -67,7 +67,7 @@ pub fn show_direction_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
         for i in 0..DIRECTION_COUNT {
             let [a, b] = [i as f32 - 0.5, i as f32 + 0.5].map(|i| std::f32::consts::TAU * i / DIRECTION_COUNT as f32);
             // The square root makes weak directions visible.
-            let fill = density_colour((wheel.density[ring * DIRECTION_COUNT + i] / most).sqrt());
+            let fill = cividis((wheel.density[ring * DIRECTION_COUNT + i] / most).sqrt());
             let first = mesh.vertices.len() as u32;
             for p in [at(a, inner), at(b, inner), at(b, outer), at(a, outer)] {
                 mesh.colored_vertex(p, fill);

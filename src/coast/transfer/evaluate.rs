@@ -81,9 +81,7 @@ impl CoastalWaves {
     /// The waves of `transfer` with the amplitudes of `plan`; `None` if it was made for another lattice of waves.
     pub fn new(transfer: Arc<Transfer>, plan: &Plan) -> Option<Self> {
         let cascade = plan.cascades.first()?;
-        let key = transfer.lattice;
-        let fits = (key.patch_m, key.noise_key, key.seed) == (cascade.patch_m, cascade.noise_key, plan.sea.seed);
-        if !fits || transfer.columns < 2 || transfer.rows < 2 {
+        if !transfer.fits(plan) {
             return None;
         }
         let table = SpectrumTable::new(plan, cascade);
@@ -214,9 +212,7 @@ impl Accumulated {
 
 impl Transfer {
     fn place(&self, at_m: [f64; 2]) -> Place {
-        let (sin, cos) = self.placement.turn_rad.sin_cos();
-        let [east, south] = [0, 1].map(|axis| at_m[axis] - self.placement.origin_m[axis]);
-        let grid = [east * cos + south * sin, south * cos - east * sin].map(|v| v / self.cell_m);
+        let grid = self.in_frame_m(at_m).map(|v| v / self.cell_m);
         let last = [self.columns, self.rows].map(|count| (count - 1) as f64);
         let is_inside = (0..2).all(|axis| (0.0..=last[axis]).contains(&grid[axis]));
         let inside = [0, 1].map(|axis| grid[axis].clamp(0.0, last[axis]));

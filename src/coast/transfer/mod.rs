@@ -20,6 +20,7 @@ mod points;
 mod setup;
 mod shore;
 mod solver;
+mod statistics;
 mod swash;
 #[cfg(test)]
 mod tests;
@@ -27,8 +28,10 @@ mod tests;
 use super::breaking::Losses;
 use super::incident::Placement;
 use super::options::Options;
+use crate::waves::Plan;
 pub use evaluate::{CoastalGains, CoastalSums, CoastalWaves};
 pub use solver::TransferSolver;
+pub use statistics::{SpectrumBand, StatisticsSolver, TransferStatistics};
 
 /// Transfer functions of a coast on a grid in its frame. Point (column i, row j) lies at x = i `cell_m` and y = j
 /// `cell_m` of the frame that `placement` puts into the world.
@@ -54,6 +57,30 @@ pub struct Transfer {
     pub envelopes: Vec<u32>,
     /// What else is known at each point: \[row\]\[column\].
     pub points: Vec<SeaAtPoint>,
+}
+
+impl Transfer {
+    /// Whether the waves of `plan` are those of the lattice for which the transfer was made.
+    pub fn fits(&self, plan: &Plan) -> bool {
+        let key = self.lattice;
+        let is_same =
+            |patch_m, noise_key| (key.patch_m, key.noise_key, key.seed) == (patch_m, noise_key, plan.sea.seed);
+        plan.cascades.first().is_some_and(|c| is_same(c.patch_m, c.noise_key)) && self.columns > 1 && self.rows > 1
+    }
+
+    /// World coordinates (x, z), m, of the point (`x_m`, `y_m`) of the coast's frame, m.
+    pub fn world_m(&self, [x_m, y_m]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.placement.turn_rad.sin_cos();
+        let [east, south] = self.placement.origin_m;
+        [east + x_m * cos - y_m * sin, south + x_m * sin + y_m * cos]
+    }
+
+    /// The point (x, y), m, of the coast's frame at the world coordinates `at_m` (x, z), m.
+    pub fn in_frame_m(&self, at_m: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.placement.turn_rad.sin_cos();
+        let [east, south] = [0, 1].map(|axis| at_m[axis] - self.placement.origin_m[axis]);
+        [east * cos + south * sin, south * cos - east * sin]
+    }
 }
 
 /// Limits of a transfer, and how it is made.

@@ -40,13 +40,6 @@ fn solved(plan: &Plan, coast: &PlacedCoast, limits: &TransferLimits) -> Transfer
     }
 }
 
-/// Point of the world of a point (x, y) of the frame, m.
-fn world(transfer: &Transfer, x: f64, y: f64) -> [f64; 2] {
-    let (sin, cos) = transfer.placement.turn_rad.sin_cos();
-    let [east, south] = transfer.placement.origin_m;
-    [east + x * cos - y * sin, south + x * sin + y * cos]
-}
-
 /// Elevation, slopes and displacements of the same waves in the open sea, by their sum.
 fn open_sea(plan: &Plan, transfer: &Transfer, at: [f64; 2], t_s: f64) -> [f64; 5] {
     let cascade = &plan.cascades[0];
@@ -80,7 +73,7 @@ fn over_a_flat_bed_the_transfer_is_the_open_sea() {
     let mut samples = 0.0;
     for step in 0..300_u32 {
         let [x, y] = [0.618_034, 0.754_878].map(|r| 480.0 * (r * f64::from(step)).fract());
-        let (at, t_s) = (world(&transfer, x, y), 7000.0 + 3.1 * f64::from(step));
+        let (at, t_s) = (transfer.world_m([x, y]), 7000.0 + 3.1 * f64::from(step));
         let sums = waves.sums(at, plan.period_fraction_u32(t_s));
         let want = open_sea(&plan, &transfer, at, t_s);
         let got = [sums.elevation_m, sums.slope[0], sums.slope[1], sums.displacement_m[0], sums.displacement_m[1]];

@@ -1,92 +1,20 @@
-//! The fields of a sea over a coast as NetCDF, by the CF conventions.
+//! The fields of a sea over a coast as NetCDF.
 
 use super::CoastSea;
-use crate::files::netcdf::{self, Attribute, NewVariable, Values};
+use crate::coast::fields_file::CoastFields;
 
 impl CoastSea {
     /// Writes depth, wave height, direction, period, breaking fraction and surface as a classic NetCDF file. Points on land
     /// are NaN.
     pub fn netcdf(&self) -> Vec<u8> {
-        let grid = &self.coast.bathymetry;
-        let text = |name: &'static str, value: &str| (name, Attribute::Text(value.to_owned()));
-        let about = |long: &str, units: &str, standard: &str| {
-            let mut list = vec![text("long_name", long), text("units", units)];
-            if !standard.is_empty() {
-                list.push(text("standard_name", standard));
-            }
-            list
+        let fields = CoastFields {
+            title: &self.coast.title,
+            source: &format!("seastate coast '{}'", self.state),
+            toward_deg: self.coast.toward_deg,
+            bathymetry: &self.coast.bathymetry,
+            maps: &self.maps,
+            surface_m: &self.surface_m,
         };
-        let along = |count: usize| (0..count).map(|i| i as f64 * grid.cell_m).collect::<Vec<f64>>();
-        let (x, y) = (along(grid.columns), along(grid.rows));
-        // East and north of the middle of the coast.
-        let (sin, cos) = self.coast.toward_deg.to_radians().sin_cos();
-        let [wide, long] = self.coast.side_m();
-        let world = |index: usize| {
-            let (u, v) = (x[index % grid.columns] - 0.5 * wide, y[index / grid.columns] - 0.5 * long);
-            [(u * sin + v * cos) as f32, (u * cos - v * sin) as f32]
-        };
-        let points = grid.depth_m.len();
-        let east: Vec<f32> = (0..points).map(|i| world(i)[0]).collect();
-        let north: Vec<f32> = (0..points).map(|i| world(i)[1]).collect();
-        let in_water = |values: &dyn Fn(usize) -> f32| -> Vec<f32> {
-            (0..points).map(|i| if grid.depth_m[i] > 0.0 { values(i) } else { f32::NAN }).collect()
-        };
-        let hs = in_water(&|i| self.maps.hs_m[i]);
-        let from = in_water(&|i| self.bearing_of(f64::from(self.maps.direction_rad[i])) as f32);
-        let period = in_water(&|i| self.maps.peak_period_s[i]);
-        let breaking = in_water(&|i| self.maps.breaking_fraction[i]);
-        let surface = if self.surface_m.is_empty() { Vec::new() } else { in_water(&|i| self.surface_m[i]) };
-        let variable = |name, dimensions: &[usize], attributes, values| NewVariable {
-            name,
-            dimensions: dimensions.to_vec(),
-            attributes,
-            values,
-        };
-        let mut variables = vec![
-            variable("y", &[0], about("position along the shore", "m", ""), Values::F64(&y)),
-            variable("x", &[1], about("position from the sea to the land", "m", ""), Values::F64(&x)),
-            variable("east", &[0, 1], about("position east of the middle of the coast", "m", ""), Values::F32(&east)),
-            variable(
-                "north",
-                &[0, 1],
-                about("position north of the middle of the coast", "m", ""),
-                Values::F32(&north),
-            ),
-        ];
-        let fields: [(&str, &str, &str, &str, &[f32]); 6] = [
-            (
-                "depth",
-                "depth below the still water, negative on land",
-                "m",
-                "sea_floor_depth_below_mean_sea_level",
-                &grid.depth_m,
-            ),
-            ("hs", "significant wave height", "m", "sea_surface_wave_significant_height", &hs),
-            (
-                "from_direction",
-                "direction that the energy comes from, clockwise from north",
-                "degree",
-                "sea_surface_wave_from_direction",
-                &from,
-            ),
-            ("tp", "peak period", "s", "sea_surface_wave_period_at_variance_spectral_density_maximum", &period),
-            ("breaking", "fraction of the waves that break", "1", "", &breaking),
-            ("eta", "elevation of the surface at the time of the state", "m", "", &surface),
-        ];
-        for (name, long_name, units, standard, values) in fields {
-            if !values.is_empty() {
-                let mut attributes = about(long_name, units, standard);
-                attributes.push(text("coordinates", "east north"));
-                variables.push(variable(name, &[0, 1], attributes, Values::F32(values)));
-            }
-        }
-        let toward = format!("{} degrees clockwise from north", self.coast.toward_deg);
-        let global = [
-            ("Conventions", "CF-1.8"),
-            ("title", self.coast.title.as_str()),
-            ("source", &format!("seastate coast '{}'", self.state)),
-            ("x_axis", &toward),
-        ];
-        netcdf::write(&[("y", grid.rows), ("x", grid.columns)], &global, &variables)
+        fields.netcdf()
     }
 }

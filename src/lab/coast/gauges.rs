@@ -1,6 +1,8 @@
-//! Gauges: the sea at points of a coast, with its spectrum beside that of the open sea, and records of the surface.
+//! The sea at gauges of a solved coast, and records of the surface there.
 
-use super::bearing_from_deg;
+use super::CoastSea;
+use crate::coast::gauges::{Gauge, Gauges};
+use crate::coast::sea_maps::bearing_from_deg;
 use crate::coast::{Field, PlacedCoast, SeaMaps};
 use crate::waves::Plan;
 use std::collections::BTreeMap;
@@ -12,146 +14,83 @@ const MAX_GAUGES: usize = 100;
 /// Largest number of samples of a record, times times gauges.
 const MAX_SAMPLES: f64 = 5e6;
 
-/// The sea at one gauge.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Gauge {
-    /// The nearest point of the grid, where the gauge stands: its column and row.
-    pub point: [usize; 2],
-    /// Place of that point in the frame of the coast (x, y), m.
-    pub at_m: [f64; 2],
-    /// Depth, m; negative on land.
-    pub depth_m: f64,
-    /// Significant wave height, m.
-    pub hs_m: f64,
-    /// Peak period, s.
-    pub tp_s: f64,
-    /// Mean direction that the waves come from, degrees clockwise from north.
-    pub from_deg: f64,
-    /// Fraction of the waves that break, 0 to 1.
-    pub breaking_fraction: f64,
-    /// Variance density at the frequencies of [`Gauges::frequencies_hz`], m^2/Hz.
-    pub spectrum_m2_hz: Vec<f64>,
-}
-
-/// The sea at all gauges.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Gauges {
-    /// Frequencies of the spectra, Hz, ascending.
-    pub frequencies_hz: Vec<f64>,
-    /// Variance density of the open sea at these frequencies, m^2/Hz.
-    pub open_m2_hz: Vec<f64>,
-    /// The gauges, in the order in which they were given.
-    pub list: Vec<Gauge>,
-    /// For each gauge the waves of the surface there: amplitude (m), phase (rad) and angular frequency (rad/s).
-    pub waves: Vec<Vec<[f64; 3]>>,
-}
-
-impl Gauges {
-    /// Reads the sea at points (x, y; m) off the solved bins of a sea's spectrum.
-    ///
-    /// # Errors
-    /// One sentence, if a point lies outside the coast or there are too many.
-    pub(super) fn new(
-        plan: &Plan,
-        coast: &PlacedCoast,
-        maps: &SeaMaps,
-        field: &Field,
-        points_m: &[[f64; 2]],
-    ) -> Result<Self, String> {
-        if points_m.len() > MAX_GAUGES {
-            return Err(format!("{} gauges, but at most {MAX_GAUGES} are possible", points_m.len()));
+/// Reads the sea at points (x, y; m) off the solved bins of a sea's spectrum.
+///
+/// # Errors
+/// One sentence, if a point lies outside the coast or there are too many.
+pub(super) fn read_gauges(
+    plan: &Plan,
+    coast: &PlacedCoast,
+    maps: &SeaMaps,
+    field: &Field,
+    points_m: &[[f64; 2]],
+) -> Result<Gauges, String> {
+    if points_m.len() > MAX_GAUGES {
+        return Err(format!("{} gauges, but at most {MAX_GAUGES} are possible", points_m.len()));
+    }
+    // Components of one frequency, by the bits of the frequency, which is positive: their order is that of the numbers.
+    let mut groups: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+    for (c, component) in field.components.iter().enumerate() {
+        groups.entry(component.incident.omega_rad_s.to_bits()).or_default().push(c);
+    }
+    let omegas: Vec<f64> = groups.keys().map(|bits| f64::from_bits(*bits)).collect();
+    let all: f64 = plan.spectrum_integrals.m0_between_wave_numbers(0.0, plan.k_max());
+    let bin_m2 = all / super::FREQUENCY_BINS as f64;
+    let open_m2_hz: Vec<f64> = omegas.iter().map(|omega| TAU * plan.density(*omega)).collect();
+    let side_m = coast.side_m();
+    let grid = &coast.bathymetry;
+    let gauge = |at_m: &[f64; 2]| {
+        if !at_m.iter().zip(side_m).all(|(at, side)| (-1e-6..=side + 1e-6).contains(at)) {
+            let ([x, y], [wide, long]) = (at_m, side_m);
+            return Err(format!(
+                "the gauge {x},{y} lies outside the coast: x is 0 to {wide:.0} m from the sea to the land, y 0 to \
+                 {long:.0} m along the shore"
+            ));
         }
-        // Components of one frequency, by the bits of the frequency, which is positive: their order is that of the numbers.
-        let mut groups: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
-        for (c, component) in field.components.iter().enumerate() {
-            groups.entry(component.incident.omega_rad_s.to_bits()).or_default().push(c);
-        }
-        let omegas: Vec<f64> = groups.keys().map(|bits| f64::from_bits(*bits)).collect();
-        let all: f64 = plan.spectrum_integrals.m0_between_wave_numbers(0.0, plan.k_max());
-        let bin_m2 = all / super::FREQUENCY_BINS as f64;
-        let open_m2_hz: Vec<f64> = omegas.iter().map(|omega| TAU * plan.density(*omega)).collect();
-        let side_m = coast.side_m();
-        let grid = &coast.bathymetry;
-        let gauge = |at_m: &[f64; 2]| {
-            if !at_m.iter().zip(side_m).all(|(at, side)| (-1e-6..=side + 1e-6).contains(at)) {
-                let ([x, y], [wide, long]) = (at_m, side_m);
-                return Err(format!(
-                    "the gauge {x},{y} lies outside the coast: x is 0 to {wide:.0} m from the sea to the land, y 0 to \
-                     {long:.0} m along the shore"
-                ));
-            }
-            let [i, j] = at_m.map(|at| (at / grid.cell_m).round() as usize);
-            let (i, j) = (i.min(grid.columns - 1), j.min(grid.rows - 1));
-            let index = j * grid.columns + i;
-            // The share of each bin's variance that is left is the share of the density.
-            let density = |(group, open): (&Vec<usize>, &f64)| {
-                let here: f64 = group.iter().map(|c| 0.5 * field.amplitude(*c, i, j).norm_squared()).sum();
-                open * here / bin_m2
-            };
-            Ok(Gauge {
-                point: [i, j],
-                at_m: [i, j].map(|index| index as f64 * grid.cell_m),
-                depth_m: grid.at(i, j),
-                hs_m: f64::from(maps.hs_m[index]),
-                tp_s: f64::from(maps.peak_period_s[index]),
-                from_deg: bearing_from_deg(coast, f64::from(maps.direction_rad[index])),
-                breaking_fraction: f64::from(maps.breaking_fraction[index]),
-                spectrum_m2_hz: groups.values().zip(&open_m2_hz).map(density).collect(),
-            })
+        let [i, j] = at_m.map(|at| (at / grid.cell_m).round() as usize);
+        let (i, j) = (i.min(grid.columns - 1), j.min(grid.rows - 1));
+        let index = j * grid.columns + i;
+        // The share of each bin's variance that is left is the share of the density.
+        let density = |(group, open): (&Vec<usize>, &f64)| {
+            let here: f64 = group.iter().map(|c| 0.5 * field.amplitude(*c, i, j).norm_squared()).sum();
+            open * here / bin_m2
         };
-        let list = points_m.iter().map(gauge).collect::<Result<_, String>>()?;
-        let frequencies_hz = omegas.iter().map(|omega| omega / TAU).collect();
-        Ok(Self { frequencies_hz, open_m2_hz, list, waves: Vec::new() })
-    }
+        Ok(Gauge {
+            point: [i, j],
+            at_m: [i, j].map(|index| index as f64 * grid.cell_m),
+            depth_m: grid.at(i, j),
+            hs_m: f64::from(maps.hs_m[index]),
+            tp_s: f64::from(maps.peak_period_s[index]),
+            from_deg: bearing_from_deg(coast.toward_deg, f64::from(maps.direction_rad[index])),
+            breaking_fraction: f64::from(maps.breaking_fraction[index]),
+            spectrum_m2_hz: groups.values().zip(&open_m2_hz).map(density).collect(),
+        })
+    };
+    let list = points_m.iter().map(gauge).collect::<Result<_, String>>()?;
+    let frequencies_hz = omegas.iter().map(|omega| omega / TAU).collect();
+    Ok(Gauges { frequencies_hz, open_m2_hz, list })
+}
 
-    /// Writes the gauges and their spectra as a table: a line for each frequency, and a column for the open sea and each
-    /// gauge. `state` is the state string of the sea, `coast` the name of the coast.
-    pub fn csv(&self, state: &str, coast: &str) -> String {
-        let mut out = format!("# seastate coast '{state}' over {coast}\n");
-        out += "# x from the sea to the land, y along the shore; from: degrees clockwise from north\n";
-        for (i, g) in self.list.iter().enumerate() {
-            let [x, y] = g.at_m;
-            let _ = writeln!(
-                out,
-                "# gauge {}: x {x} m, y {y} m, depth {:.2} m, Hs {:.3} m, Tp {:.2} s, from {:.1}, breaking {:.4}",
-                i + 1,
-                g.depth_m,
-                g.hs_m,
-                g.tp_s,
-                g.from_deg,
-                g.breaking_fraction
-            );
-        }
-        out += "f_hz,open_m2_hz";
-        out.extend((1..=self.list.len()).map(|i| format!(",gauge{i}_m2_hz")));
-        out.push('\n');
-        for (row, f) in self.frequencies_hz.iter().enumerate() {
-            let _ = write!(out, "{f:.5},{:.5e}", self.open_m2_hz[row]);
-            out.extend(self.list.iter().map(|g| format!(",{:.5e}", g.spectrum_m2_hz[row])));
-            out.push('\n');
-        }
-        out
-    }
-
+impl CoastSea {
     /// Writes the elevation of the surface at the gauges over time, from `t_s` (s) on, as a table.
     ///
     /// # Errors
     /// One sentence, if the length or the rate is out of range.
-    pub fn record_csv(&self, state: &str, t_s: f64, hours: f64, rate_hz: f64) -> Result<String, String> {
+    pub fn record_csv(&self, t_s: f64, hours: f64, rate_hz: f64) -> Result<String, String> {
         let count = (hours * 3600.0 * rate_hz).round();
         if !(count >= 1.0 && hours > 0.0) {
             return Err("the hours and the rate of a record must be above 0".into());
         }
-        if count * self.list.len() as f64 > MAX_SAMPLES {
+        if count * self.gauges.list.len() as f64 > MAX_SAMPLES {
             return Err(format!("more than {MAX_SAMPLES} samples: record fewer hours or gauges, or with a lower rate"));
         }
-        let mut out = format!("# seastate coast '{state}': elevation of the surface at the gauges\nt_s");
-        out.extend((1..=self.list.len()).map(|i| format!(",eta{i}_m")));
+        let mut out = format!("# seastate coast '{}': elevation of the surface at the gauges\nt_s", self.state);
+        out.extend((1..=self.gauges.list.len()).map(|i| format!(",eta{i}_m")));
         out.push('\n');
         for step in 0..count as usize {
             let t = t_s + step as f64 / rate_hz;
             let _ = write!(out, "{t}");
-            for waves in &self.waves {
+            for waves in &self.waves_at_gauges {
                 let eta: f64 =
                     waves.iter().map(|[amplitude, phase, omega]| amplitude * (phase - omega * t).cos()).sum();
                 let _ = write!(out, ",{eta:.4}");

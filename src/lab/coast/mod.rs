@@ -6,7 +6,7 @@ mod figure;
 mod gauges;
 mod table;
 
-pub use gauges::{Gauge, Gauges};
+pub use crate::coast::gauges::{Gauge, Gauges};
 
 use crate::coast::elliptic;
 use crate::coast::incident::{spectrum_bins, strongest_waves};
@@ -14,6 +14,7 @@ pub use crate::coast::open_sea::Solver;
 use crate::coast::open_sea::{Arrival, MAX_OPEN_ANGLE_RAD, foreshore_slope, reflection};
 use crate::coast::parabolic;
 use crate::coast::runup::RunUp;
+use crate::coast::sea_maps::bearing_from_deg;
 use crate::coast::{Field, Incident, Options, PlacedCoast, SeaMaps};
 use crate::state::{Params, query};
 use crate::waves::Plan;
@@ -66,6 +67,8 @@ pub struct CoastSea {
     pub surface_m: Vec<f32>,
     /// The sea at the gauges.
     pub gauges: Gauges,
+    /// For each gauge the waves of the surface there: amplitude (m), phase (rad) and angular frequency (rad/s).
+    pub waves_at_gauges: Vec<Vec<[f64; 3]>>,
     /// Run-up on the beach; `None` where no water meets land.
     pub run_up: Option<RunUpOnBeach>,
 }
@@ -118,21 +121,21 @@ pub fn run(params: &Params, coast: PlacedCoast, settings: &CoastSettings) -> Res
     };
     let field = solve(&bins, Some(marched));
     let maps = SeaMaps::new(&coast.bathymetry, &field, &dissipation, gravity_m_s2);
-    let mut gauges = Gauges::new(&plan, &coast, &maps, &field, &settings.gauges_m)?;
+    let gauges = gauges::read_gauges(&plan, &coast, &maps, &field, &settings.gauges_m)?;
     drop(field);
-    let mut surface_m = Vec::new();
+    let (mut surface_m, mut waves_at_gauges) = (Vec::new(), Vec::new());
     if settings.wave_count > 0 {
         let shortest_m = MIN_POINTS_PER_WAVE * coast.bathymetry.cell_m;
         let waves = strongest_waves(&plan, coast.placement(), settings.wave_count, shortest_m, MAX_OPEN_ANGLE_RAD);
         let waves = solve(&arriving(waves), None);
         surface_m = surface(&coast, &waves, params.clock.t_s);
-        gauges.waves = gauges.list.iter().map(|gauge| waves_at(&waves, gauge.point)).collect();
+        waves_at_gauges = gauges.list.iter().map(|gauge| waves_at(&waves, gauge.point)).collect();
     }
     let run_up = foreshore_slope(&coast).map(|slope| RunUpOnBeach {
         run_up: RunUp::new(open.shoreward_hs_m, gravity_m_s2 * open.tp_s * open.tp_s / TAU, slope),
         slope,
     });
-    Ok(CoastSea { state: query::write(params), coast, open, maps, surface_m, gauges, run_up })
+    Ok(CoastSea { state: query::write(params), coast, open, maps, surface_m, gauges, waves_at_gauges, run_up })
 }
 
 /// Elevation of the surface (m) at all points; 0 on land.
@@ -158,12 +161,8 @@ fn waves_at(field: &Field, [i, j]: [usize; 2]) -> Vec<[f64; 3]> {
 impl CoastSea {
     /// Bearing (degrees clockwise from north) that waves come from which travel in a direction of the coast's frame (rad).
     fn bearing_of(&self, direction_rad: f64) -> f64 {
-        bearing_from_deg(&self.coast, direction_rad)
+        bearing_from_deg(self.coast.toward_deg, direction_rad)
     }
-}
-
-fn bearing_from_deg(coast: &PlacedCoast, direction_rad: f64) -> f64 {
-    (coast.toward_deg + direction_rad.to_degrees() + 180.0).rem_euclid(360.0)
 }
 
 /// One of the sixteen points of the compass for a bearing, degrees.
