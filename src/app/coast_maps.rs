@@ -176,6 +176,57 @@ pub fn toward_deg(statistics: &TransferStatistics) -> f64 {
     (statistics.transfer().placement.turn_rad.to_degrees() + 90.0).rem_euclid(360.0)
 }
 
+/// What a coast makes of the waves, in four numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoastEffect {
+    /// Mean significant wave height at the seaward edge, m.
+    pub offshore_hs_m: f64,
+    /// Significant wave height that only one wet point in 200 exceeds, m.
+    pub highest_hs_m: f64,
+    /// Mean depth of the points that exceed it, m.
+    pub highest_depth_m: f64,
+    /// Depth in which one wave in twenty breaks, on the way from the sea, m; `None` if they break nowhere.
+    pub breaking_depth_m: Option<f64>,
+}
+
+/// Step of the depths at which breaking is looked for, m.
+const DEPTH_STEP_M: f64 = 0.25;
+/// Significant wave height in depths from which waves are said to break. One wave in twenty breaks there: its root mean
+/// square is 0.56 of the largest height, 0.73 depths (Battjes and Janssen 1978).
+const BREAKING_BEGINS: f64 = 0.58;
+
+impl CoastEffect {
+    /// Reads the numbers off the maps; `None` without water at the seaward edge.
+    pub fn new(statistics: &TransferStatistics) -> Option<Self> {
+        let (grid, maps) = (&statistics.bathymetry, &statistics.maps);
+        let index = |[i, j]: [usize; 2]| j * grid.columns + i;
+        let edge: Vec<usize> = (0..grid.rows).map(|j| index([0, j])).filter(|i| grid.depth_m[*i] > 0.0).collect();
+        let mean = |points: &[usize], value: &dyn Fn(usize) -> f32| {
+            points.iter().map(|i| f64::from(value(*i))).sum::<f64>() / points.len() as f64
+        };
+        let mut wet: Vec<usize> = (0..grid.depth_m.len()).filter(|i| grid.depth_m[*i] > 0.0).collect();
+        if edge.is_empty() {
+            return None;
+        }
+        wet.sort_by(|a, b| maps.hs_m[*a].total_cmp(&maps.hs_m[*b]));
+        let highest = &wet[wet.len() * 199 / 200..];
+        let deepest_m = wet.iter().map(|i| f64::from(grid.depth_m[*i])).fold(0.0, f64::max);
+        let is_breaking = |step: &usize| {
+            let at_depth = |i: &&usize| (f64::from(grid.depth_m[**i]) / DEPTH_STEP_M) as usize == *step;
+            let points: Vec<usize> = wet.iter().filter(at_depth).copied().collect();
+            let heights_in_depths = |i: usize| maps.hs_m[i] / grid.depth_m[i];
+            !points.is_empty() && mean(&points, &heights_in_depths) > BREAKING_BEGINS
+        };
+        let step = (0..=(deepest_m / DEPTH_STEP_M) as usize).rev().find(is_breaking);
+        Some(Self {
+            offshore_hs_m: mean(&edge, &|i| maps.hs_m[i]),
+            highest_hs_m: f64::from(maps.hs_m[highest[0]]),
+            highest_depth_m: mean(highest, &|i| grid.depth_m[i]),
+            breaking_depth_m: step.map(|step| (step + 1) as f64 * DEPTH_STEP_M),
+        })
+    }
+}
+
 impl PlacedGauge {
     /// Adds a piece to the record, up to a minute ahead of the present `t_s` (s), and beyond until it is half an hour long.
     /// `height(t)` is the height of the sea (m) at `place` (x, z; m) at time t (s).

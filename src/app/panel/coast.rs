@@ -86,7 +86,8 @@ pub fn show_coast(app: &mut App, ui: &mut egui::Ui) {
         show_open_button(app, ui);
     });
     if app.params.coast.is_on() {
-        egui::CollapsingHeader::new(tr("Map of the coast")).show(ui, |ui| coast_map::show_map(app, ui));
+        let header = egui::CollapsingHeader::new(tr("Map of the coast")).default_open(true);
+        header.show(ui, |ui| coast_map::show_map(app, ui));
     }
     egui::CollapsingHeader::new(tr("What coasts do to waves")).show(ui, |ui| show_effects(app, ui));
 }
