@@ -144,7 +144,7 @@ fn the_map_is_shown_and_its_gauges_tell_the_same_sea() {
         harness.get_by_label(button).click();
         harness.run_steps(3);
     }
-    // What is saved can be read, and the gauges have the numbers of the map.
+    // The saved files can be read, and the gauges have the numbers of the map.
     let bytes = std::fs::read(saved(&folder, "nc")).expect("the fields");
     let file = Dataset::open(&bytes).expect("a NetCDF file");
     let values = |name: &str| file.numbers(file.find(name).expect(name)).expect("values");

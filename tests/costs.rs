@@ -34,7 +34,7 @@ const SIZE_PX: [u32; 2] = [1920, 1080];
 const UNDER_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 3449.6, reads: 36.1, max_ops: 5581.0, max_reads: 67.0 };
 
 /// Costs of the light of the land, and of the water over the depths of a coast whose waves are those of the open sea.
-/// The sun is so low that land shades it, and it mirrors land; without these two it takes 3,814 operations and 42 reads.
+/// The water mirrors the land, which shades it; without both, a pixel of water takes 3,814 operations and 42 reads.
 const LAND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 1364.3, reads: 22.0, max_ops: 1548.0, max_reads: 25.0 };
 const SHALLOW_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 5269.8, reads: 64.5, max_ops: 6883.0, max_reads: 88.0 };
 

@@ -33,6 +33,16 @@ fn land_wetness(height: f32, bend: f32) -> vec2f {
   return 1.0 - vec2f(maths_smooth((at - land.run_up_m) * 1.6 + 0.4), maths_smooth((at - land.film_m) * 2.2 + 0.5));
 }
 
+// Share of rock in ground of a slope.
+fn land_rock_share(steep: f32) -> f32 {
+  return maths_smooth((steep - LAND_ROCK_SLOPES.x) / (LAND_ROCK_SLOPES.y - LAND_ROCK_SLOPES.x));
+}
+
+// Share of blocks or concrete in the ground. `map` is that of land_at.
+fn land_built_share(map: vec4f) -> f32 {
+  return saturate(4.0 * abs(map.w) - 1.0);
+}
+
 // Mean albedo of the ground over tens of metres, without the patterns of shaders/land/ground.wgsl. `map` is that of
 // land_at.
 fn land_mean_albedo(place: vec2f, map: vec4f) -> vec3f {
@@ -41,9 +51,6 @@ fn land_mean_albedo(place: vec2f, map: vec4f) -> vec3f {
   let back = maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5));
   let green = mix(mix(LAND_MARRAM, LAND_STRAW, 0.37), 0.5 * (LAND_HEATH + LAND_TURF), back);
   albedo = mix(albedo, green, max(saturate(0.54 * (height - LAND_GRASS_M)), back));
-  let steep = length(map.yz);
-  let rock = maths_smooth((steep - LAND_ROCK_SLOPES.x) / (LAND_ROCK_SLOPES.y - LAND_ROCK_SLOPES.x));
-  albedo = mix(albedo, mix(LAND_DARK_ROCK, LAND_ROCK, 0.5), rock);
-  let built = saturate(4.0 * abs(map.w) - 1.0);
-  return mix(albedo, select(LAND_CONCRETE, LAND_BLOCK, map.w < 0.0), built);
+  albedo = mix(albedo, mix(LAND_DARK_ROCK, LAND_ROCK, 0.5), land_rock_share(length(map.yz)));
+  return mix(albedo, select(LAND_CONCRETE, LAND_BLOCK, map.w < 0.0), land_built_share(map));
 }

@@ -3,6 +3,7 @@
 // Sides of the tiles of noise over hundreds of metres, and over kilometres, m.
 const LAND_WIDE_M = 437.0;
 const LAND_REGION_M = 2230.0;
+
 struct LandGround {
   albedo: vec3f,
   // Slope of the fine relief, to be added to that of the land, in the frame of the coast.
@@ -116,8 +117,8 @@ fn land_ground(place: vec2f, height: f32, map: vec4f, slope: vec2f, size: f32) -
     out = land_plants(out, place, height, size, middle, fine, wide);
   }
   let steep = length(slope) + 0.06 * middle.z + 0.05 * fine.z;
-  let rock = maths_smooth((steep - LAND_ROCK_SLOPES.x) / (LAND_ROCK_SLOPES.y - LAND_ROCK_SLOPES.x));
-  let built = saturate(4.0 * abs(map.w) - 1.0);
+  let rock = land_rock_share(steep);
+  let built = land_built_share(map);
   if rock * (1.0 - built) > 0.0 {
     let stone = land_rock(place, height, size, middle, fine, wide);
     out = LandGround(

@@ -12,7 +12,7 @@ const LAND_PENUMBRA = 0.022;
 struct LandHorizon {
   // Tangent of its elevation; 0 if no land rises there.
   rise: f32,
-  // Its distance, m.
+  // Distance of that land, m.
   far_m: f32,
 }
 

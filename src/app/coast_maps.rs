@@ -1,12 +1,11 @@
-//! What a coast does to the drawn sea, in numbers: maps of the sea near it and the gauges that the user places there,
-//! computed in slices of a frame while the panel shows them, and saved as files.
+//! Maps of the waves of the drawn sea near a coast, and the gauges that the user places there. Both are computed in slices of a frame while the panel shows them, and saved as files.
 
 use super::App;
 use super::language::text;
 use crate::coast::Transfer;
 use crate::coast::fields_file::CoastFields;
 use crate::coast::gauges::{Gauge, Gauges};
-use crate::coast::sea_maps::bearing_from_deg;
+use crate::coast::sea_maps::{bearing_from_deg, usual_largest};
 use crate::coast::transfer::{StatisticsSolver, TransferStatistics};
 use crate::ocean::coast_task::CoastKey;
 use crate::point::buoy_record::BuoyRecord;
@@ -148,7 +147,7 @@ impl CoastMaps {
             let bands = statistics.spectrum(i, j);
             out.frequencies_hz = bands.iter().map(|band| band.omega_rad_s / TAU).collect();
             out.open_m2_hz = bands.iter().map(|band| TAU * density(band.omega_rad_s)).collect();
-            let here = bands.iter().zip(&out.open_m2_hz).map(|(b, open)| open * b.here_m2.max(0.0) / b.open_m2);
+            let here = bands.iter().zip(&out.open_m2_hz).map(|(b, open)| open * b.share());
             out.list.push(Gauge { spectrum_m2_hz: here.collect(), ..sea_at(statistics, gauge.point) });
         }
         Some(out)
@@ -176,7 +175,7 @@ pub fn toward_deg(statistics: &TransferStatistics) -> f64 {
     (statistics.transfer().placement.turn_rad.to_degrees() + 90.0).rem_euclid(360.0)
 }
 
-/// What a coast makes of the waves, in four numbers.
+/// How a coast changes the waves: the numbers of the sentence above its map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoastEffect {
     /// Mean significant wave height at the seaward edge, m.
@@ -204,24 +203,27 @@ impl CoastEffect {
         let mean = |points: &[usize], value: &dyn Fn(usize) -> f32| {
             points.iter().map(|i| f64::from(value(*i))).sum::<f64>() / points.len() as f64
         };
-        let mut wet: Vec<usize> = (0..grid.depth_m.len()).filter(|i| grid.depth_m[*i] > 0.0).collect();
         if edge.is_empty() {
             return None;
         }
-        wet.sort_by(|a, b| maps.hs_m[*a].total_cmp(&maps.hs_m[*b]));
-        let highest = &wet[wet.len() * 199 / 200..];
-        let deepest_m = wet.iter().map(|i| f64::from(grid.depth_m[*i])).fold(0.0, f64::max);
-        let is_breaking = |step: &usize| {
-            let at_depth = |i: &&usize| (f64::from(grid.depth_m[**i]) / DEPTH_STEP_M) as usize == *step;
-            let points: Vec<usize> = wet.iter().filter(at_depth).copied().collect();
-            let heights_in_depths = |i: usize| maps.hs_m[i] / grid.depth_m[i];
-            !points.is_empty() && mean(&points, &heights_in_depths) > BREAKING_BEGINS
-        };
-        let step = (0..=(deepest_m / DEPTH_STEP_M) as usize).rev().find(is_breaking);
+        let highest_hs_m = usual_largest(&maps.hs_m);
+        let (mut highest, mut heights_in_depths) = (Vec::new(), Vec::<(f64, f64)>::new());
+        for (i, depth_m) in grid.depth_m.iter().map(|depth_m| f64::from(*depth_m)).enumerate() {
+            if depth_m > 0.0 {
+                let (hs_m, step) = (f64::from(maps.hs_m[i]), (depth_m / DEPTH_STEP_M) as usize);
+                heights_in_depths.resize(heights_in_depths.len().max(step + 1), (0.0, 0.0));
+                let (sum, count) = heights_in_depths[step];
+                heights_in_depths[step] = (sum + hs_m / depth_m, count + 1.0);
+                if hs_m >= highest_hs_m {
+                    highest.push(i);
+                }
+            }
+        }
+        let step = heights_in_depths.iter().rposition(|(sum, count)| *sum > BREAKING_BEGINS * count);
         Some(Self {
             offshore_hs_m: mean(&edge, &|i| maps.hs_m[i]),
-            highest_hs_m: f64::from(maps.hs_m[highest[0]]),
-            highest_depth_m: mean(highest, &|i| grid.depth_m[i]),
+            highest_hs_m,
+            highest_depth_m: mean(&highest, &|i| grid.depth_m[i]),
             breaking_depth_m: step.map(|step| (step + 1) as f64 * DEPTH_STEP_M),
         })
     }

@@ -26,8 +26,8 @@ impl App {
 
     /// Draws the current message, and removes it when its time is over.
     pub(super) fn draw_message(&mut self, ctx: &egui::Context) {
-        if self.picture_job.is_some() {
-            self.message = None;
+        // A brief message, such as that a link was copied, takes the place for its time.
+        if self.picture_job.is_some() && self.message.is_none() {
             let area = egui::Area::new(egui::Id::unique("picture")).anchor(egui::Align2::CENTER_TOP, MESSAGE_PLACE);
             area.show(ctx, |ui| {
                 egui::Frame::window(ui.style()).show(ui, |ui| {

@@ -9,7 +9,7 @@ use crate::files::netcdf::{self, Attribute, NewVariable, Values};
 pub struct CoastFields<'a> {
     /// Name of the coast.
     pub title: &'a str,
-    /// What made the maps, with the state string of the sea.
+    /// Name of the program that made the maps, with the state string of the sea.
     pub source: &'a str,
     /// Bearing of the direction from the sea to the land, degrees clockwise from north.
     pub toward_deg: f64,

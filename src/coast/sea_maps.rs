@@ -77,3 +77,11 @@ impl SeaMaps {
 pub fn bearing_from_deg(toward_deg: f64, direction_rad: f64) -> f64 {
     (toward_deg + direction_rad.to_degrees() + 180.0).rem_euclid(360.0)
 }
+
+/// The value that all but the largest half per cent of the positive values do not exceed, so that a few points beside a
+/// wall do not count.
+pub fn usual_largest(values: &[f32]) -> f64 {
+    let mut sizes: Vec<f32> = values.iter().copied().filter(|value| *value > 0.0).collect();
+    sizes.sort_by(f32::total_cmp);
+    sizes.get((sizes.len() * 199 / 200).min(sizes.len().saturating_sub(1))).copied().map_or(0.0, f64::from)
+}

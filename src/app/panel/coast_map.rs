@@ -8,6 +8,7 @@ use super::super::plots::polar::cividis;
 use super::super::units::UnitScale;
 use super::gauges;
 use crate::app::language::{local_number, say, tr};
+use crate::coast::sea_maps::usual_largest;
 use crate::coast::transfer::TransferStatistics;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 use std::sync::Arc;
@@ -83,7 +84,7 @@ pub fn show_map(app: &mut App, ui: &mut egui::Ui) {
     gauges::show_gauges(app, ui);
 }
 
-/// What the coast makes of the waves, in one or two sentences.
+/// One or two sentences: how high the waves arrive, where they are highest, and where they begin to break.
 fn effect_in_words(effect: &CoastEffect, scale: UnitScale) -> String {
     let height = |m: f64| scale.format(m, 1);
     let words = say!(
@@ -301,14 +302,6 @@ fn contours(statistics: &TransferStatistics, factor: f64) -> (Vec<[Pos2; 2]>, Ve
         }
     }
     (lines, numbers)
-}
-
-/// The value that all but the largest half per cent of the positive values do not exceed, so that a few points beside a
-/// wall do not set the colours.
-fn usual_largest(values: &[f32]) -> f64 {
-    let mut sizes: Vec<f32> = values.iter().copied().filter(|value| *value > 0.0).collect();
-    sizes.sort_by(f32::total_cmp);
-    sizes.get((sizes.len() * 199 / 200).min(sizes.len().saturating_sub(1))).copied().map_or(0.0, f64::from)
 }
 
 /// The least of 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten that is not below `value`.

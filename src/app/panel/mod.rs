@@ -222,7 +222,7 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
         }
         let frame = ui.style().spacing.window_margin.bottomf();
         let height = screen.bottom() - place::MARGIN_POINTS - frame - ui.cursor().top();
-        // What is too wide scrolls sideways: the panel keeps its width, so that no row moves away from the pointer. Each tab
+        // Rows wider than the panel scroll sideways: it keeps its width, so that no row moves away from the pointer. Each tab
         // stays where it was scrolled to.
         let scroll = egui::ScrollArea::both().id_salt(tab).max_height(height.max(MIN_SCROLL_POINTS));
         let scroll = scroll.auto_shrink([false, true]);

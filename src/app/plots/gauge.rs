@@ -6,6 +6,7 @@ use super::spectrum::highest_omega;
 use super::{PLOT_COLOURS, fixed_plot};
 use crate::app::language::{say, tr};
 use crate::coast::gauges::Gauge;
+use crate::coast::transfer::SpectrumBand;
 use egui_plot::{Legend, Line, LineStyle, PlotPoints, VLine};
 
 /// Time before and after the present that the plot of the record shows, s.
@@ -22,7 +23,7 @@ pub fn show_spectrum(app: &App, (number, gauge): (usize, &PlacedGauge), ui: &mut
     let plot = fixed_plot("gauge spectrum").id(egui::Id::unique(("gauge spectrum", number)));
     plot.legend(Legend::default().background_alpha(0.4)).show(ui, |plot| {
         let open: Vec<[f64; 2]> = bands().map(|b| [b.omega_rad_s, plan.density(b.omega_rad_s)]).collect();
-        let share = bands().map(|b| b.here_m2.max(0.0) / b.open_m2);
+        let share = bands().map(SpectrumBand::share);
         let here: Vec<[f64; 2]> = open.iter().zip(share).map(|([omega, density], s)| [*omega, density * s]).collect();
         let line = Line::new(tr("Open sea"), PlotPoints::from(open)).color(PLOT_COLOURS[0]);
         plot.line(line.style(LineStyle::dashed_loose()));

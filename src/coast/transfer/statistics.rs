@@ -1,4 +1,4 @@
-//! What the sea that a transfer draws is like on average: wave height, direction, period and breaking at its points, and
+//! Mean statistics of the sea that a transfer draws: wave height, direction, period and breaking at its points, and
 //! the spectrum at single ones. It needs no time series.
 //!
 //! The drawn surface at a point is `weight` times the waves of the transfer, (1 - `weight`) `short_gain` times the same
@@ -43,6 +43,13 @@ pub struct SpectrumBand {
     pub open_m2: f64,
     /// Variance at the point, m^2.
     pub here_m2: f64,
+}
+
+impl SpectrumBand {
+    /// Variance at the point divided by that of the open sea.
+    pub fn share(&self) -> f64 {
+        self.here_m2.max(0.0) / self.open_m2
+    }
 }
 
 /// The waves of the open sea: those of a transfer, and the sums of all others.

@@ -1,6 +1,7 @@
 //! The figure of a sea over a coast: depth, wave height, surface with directions, and breaking.
 
 use super::{CoastSea, compass_point};
+use crate::coast::sea_maps::usual_largest;
 use crate::lab::figure::map::{ColourScale, MapFigure, MapPanel, Palette};
 
 /// Depths at which contours are drawn, m.
@@ -65,7 +66,7 @@ impl CoastSea {
         } else {
             ("Surface (m) and mean direction of the waves", self.surface_m.clone())
         };
-        let half = usual_largest(&self.surface_m).max(0.05);
+        let half = usual_largest(&self.surface_m.iter().map(|v| v.abs()).collect::<Vec<f32>>()).max(0.05);
         MapPanel {
             title: title.into(),
             values,
@@ -112,12 +113,4 @@ impl CoastSea {
         };
         along(grid.columns).flat_map(|i| along(grid.rows).map(move |j| (i, j))).filter_map(arrow).collect()
     }
-}
-
-/// The value that all but the largest half per cent of the values do not exceed in size, so that a few points beside a
-/// wall do not set the colours.
-fn usual_largest(values: &[f32]) -> f64 {
-    let mut sizes: Vec<f32> = values.iter().map(|v| v.abs()).filter(|v| *v > 0.0).collect();
-    sizes.sort_by(f32::total_cmp);
-    sizes.get((sizes.len() * 199 / 200).min(sizes.len().saturating_sub(1))).copied().map_or(0.0, f64::from)
 }
