@@ -348,8 +348,11 @@ impl eframe::App for App {
         self.follow_coast(&params, &ctx);
         let limit = self.render_state.device.limits().max_texture_dimension_2d;
         let is_adaptive = self.params.screen.adaptive && !self.stands_still();
-        let level = is_adaptive.then(|| self.quality.level());
-        let frame = (level, std::mem::take(&mut self.restarts_foam));
+        let kind = viewport::FrameKind {
+            quality_level: is_adaptive.then(|| self.quality.level()),
+            restarts_foam: std::mem::take(&mut self.restarts_foam),
+            is_saved: self.picture_job.is_some(),
+        };
         // The number of pixels does not depend on the size of the text.
         let (zoom, density) = (ctx.zoom_factor(), ctx.native_pixels_per_point().unwrap_or(1.0));
         let asked = self.picture_job.as_ref().and_then(|job| job.size);
@@ -360,14 +363,8 @@ impl eframe::App for App {
         // Clicks on the sea are sensed only while an object is to be placed: with them, egui would take a finger that
         // rests before it drags for a long press.
         let sense = if self.placing.is_some() { egui::Sense::click_and_drag() } else { egui::Sense::drag() };
-        let (response, size) = viewport::show_sea(
-            ui,
-            (&params, self.coast.shown()),
-            (&self.progress, &self.frame_measurements),
-            sense,
-            frame,
-            pixels,
-        );
+        let (sea, measured) = ((&params, self.coast.shown()), (&self.progress, &self.frame_measurements));
+        let (response, size) = viewport::show_sea(ui, sea, measured, sense, kind, pixels);
         // A saved picture remembers the user's choices, not what this machine can draw at this moment.
         self.drawn = Some((self.params.clone(), size));
         self.drawn_is_whole = self.quality.is_full(&self.params.screen);

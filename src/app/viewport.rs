@@ -16,6 +16,9 @@ use web_time::Instant;
 const MAX_FOAM_STEPS_PER_FRAME: usize = 6;
 /// Number of foam time steps of the past that one frame computes on a software adapter, for FFT sizes from 256.
 const SOFTWARE_ADAPTER_MAX_FOAM_STEPS_PER_FRAME: usize = 1;
+/// Number of foam time steps of the past that one frame computes while a picture is drawn to be saved, for FFT sizes
+/// from 256. All of these frames have full quality, so that few of them matter more than short ones.
+const MAX_FOAM_STEPS_PER_FRAME_OF_PICTURE: usize = 24;
 /// Upper limit of the wall-clock time by which one frame advances a cross-fade between two seas, s.
 const MAX_FADE_STEP_S: f64 = 0.1;
 
@@ -68,16 +71,27 @@ impl DrawingProgress {
     }
 }
 
-/// Fills the rest of `ui` with the sea of `params` and its coast. `pixels` converts the size of that area in points to the picture's size in
-/// pixels. With a `quality_level` the frame's GPU time is measured, and comes back with that number. `restarts_foam`: the
-/// foam is made anew for this sea. Returns egui's
-/// response of the area to pointer input of the kind `sense`, and the picture's size in pixels.
+/// How one frame of the sea is drawn.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FrameKind {
+    /// Tag of the frame's GPU time: its quality (see [`super::quality::AdaptiveQuality::level`]). `None` if the quality
+    /// does not adapt, so that the time is not needed.
+    pub quality_level: Option<u32>,
+    /// Whether the foam is made anew, after the transition to this sea if there is one.
+    pub restarts_foam: bool,
+    /// Whether the frame belongs to a picture that is drawn to be saved.
+    pub is_saved: bool,
+}
+
+/// Fills the rest of `ui` with the sea of `params` and its coast. `pixels` converts the size of that area in points to
+/// the picture's size in pixels. Returns egui's response of the area to pointer input of the kind `sense`, and the
+/// picture's size in pixels.
 pub fn show_sea(
     ui: &mut egui::Ui,
     (params, coast): (&Params, ShownCoast),
     (progress, measurements): (&DrawingProgress, &FrameMeasurements),
     sense: egui::Sense,
-    (quality_level, restarts_foam): (Option<u32>, bool),
+    kind: FrameKind,
     pixels: impl FnOnce(egui::Vec2) -> [u32; 2],
 ) -> (egui::Response, [u32; 2]) {
     let response = egui::CentralPanel::default()
@@ -88,23 +102,18 @@ pub fn show_sea(
     if response.rect.is_positive() {
         let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(MAX_FADE_STEP_S);
         let (progress, measurements) = (progress.clone(), measurements.clone());
-        let frame = SeaFrame {
-            params: params.clone(),
-            coast,
-            size,
-            progress,
-            measurements,
-            dt_s,
-            tag: quality_level,
-            restarts_foam,
-        };
+        let frame = SeaFrame { params: params.clone(), coast, size, progress, measurements, dt_s, kind };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     (response, size)
 }
 
-fn foam_steps_per_frame(gpu: &Gpu, n: u32) -> usize {
-    let most = if gpu.is_software() { SOFTWARE_ADAPTER_MAX_FOAM_STEPS_PER_FRAME } else { MAX_FOAM_STEPS_PER_FRAME };
+fn foam_steps_per_frame(gpu: &Gpu, n: u32, is_saved: bool) -> usize {
+    let most = match (is_saved, gpu.is_software()) {
+        (true, _) => MAX_FOAM_STEPS_PER_FRAME_OF_PICTURE,
+        (false, true) => SOFTWARE_ADAPTER_MAX_FOAM_STEPS_PER_FRAME,
+        (false, false) => MAX_FOAM_STEPS_PER_FRAME,
+    };
     most * (256 / n).max(1).pow(2) as usize
 }
 
@@ -118,11 +127,7 @@ struct SeaFrame {
     measurements: FrameMeasurements,
     /// Wall-clock time since the last frame, at most [`MAX_FADE_STEP_S`], s. A cross-fade advances by it.
     dt_s: f64,
-    /// Tag of the frame's GPU time: its quality (see [`super::quality::AdaptiveQuality::level`]). `None` if the quality
-    /// does not adapt, so that the time is not needed.
-    tag: Option<u32>,
-    /// Whether the foam is made anew, after the transition to this sea if there is one.
-    restarts_foam: bool,
+    kind: FrameKind,
 }
 
 impl egui_wgpu::CallbackTrait for SeaFrame {
@@ -142,19 +147,19 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         }
         let mut encoder = ocean.gpu().encoder("ocean");
         let begun = Instant::now();
-        self.measurements.begin_frame(ocean, self.tag);
+        self.measurements.begin_frame(ocean, self.kind.quality_level);
         ocean.set_may_keep_pipelines(!self.params.clock.paused);
         ocean.transition_to(&self.params, self.dt_s);
         ocean.show_coast(self.coast.clone());
-        if self.restarts_foam {
+        if self.kind.restarts_foam {
             ocean.restart_foam_after_transition();
         }
         ocean.set_lean(self.params.screen.detail == Detail::Lean);
-        let most_steps = foam_steps_per_frame(ocean.gpu(), ocean.plan().n);
+        let most_steps = foam_steps_per_frame(ocean.gpu(), ocean.plan().n, self.kind.is_saved);
         let caught_up = ocean.record_frame(&mut encoder, self.size, most_steps);
         let is_whole = caught_up && !ocean.in_transition();
         self.measurements.end_frame(ocean, &mut encoder, begun.elapsed().as_secs_f64(), is_whole);
-        self.measurements.watch_completion(&encoder, self.tag);
+        self.measurements.watch_completion(&encoder, self.kind.quality_level);
         self.progress.0.catching_up.store(!is_whole, Ordering::Relaxed);
         vec![encoder.finish()]
     }
