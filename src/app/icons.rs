@@ -15,6 +15,7 @@ pub const UNDO: &str = "\u{e2a1}";
 pub const REDO: &str = "\u{e2a0}";
 pub const RESET: &str = "\u{e148}";
 pub const HELP: &str = "\u{e082}";
+pub const OPEN: &str = "\u{e247}";
 pub const LINK: &str = "\u{e102}";
 pub const PICTURE: &str = "\u{e0f6}";
 

@@ -77,6 +77,9 @@ pub struct App {
     ctx: egui::Context,
     gpu_errors: GpuErrors,
     frames: u64,
+    /// Files that stand for the user's choice in the system's dialog, which is then not opened.
+    #[cfg(not(target_arch = "wasm32"))]
+    chosen_files: Option<Vec<std::path::PathBuf>>,
     /// Contents of files that the user opens. They arrive when reading has finished.
     opened_files: tasks::Inbox<opened_files::OpenedFiles>,
     panel: panel::Panel,
@@ -165,8 +168,10 @@ impl App {
             ctx: cc.egui_ctx.clone(),
             gpu_errors,
             frames: 0,
+            #[cfg(not(target_arch = "wasm32"))]
+            chosen_files: None,
             opened_files: tasks::Inbox::default(),
-            panel: panel::Panel::load(),
+            panel: panel::Panel::default(),
             own_seas,
             history: history::History::default(),
             quality,

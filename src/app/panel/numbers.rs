@@ -90,9 +90,22 @@ pub fn show_all_statistics(app: &App, ui: &mut egui::Ui) {
     }
 }
 
-/// Shows the time of a frame: the CPU time of recording it, and the GPU time of each pass.
+/// The points of the waves' grids and the pixels of the picture, and what a slow machine leaves out, in words.
+pub fn picture_in_words(app: &App) -> String {
+    let ([width, height], n) = (app.picture_size(), app.params_to_draw().grid.n);
+    let pixels = say!("{n} x {n} points, {width} x {height} pixels", n = n, width = width, height = height);
+    let reduction = app.quality.reduction_in_words(&app.params.grid, &app.params.screen);
+    let quality = reduction.unwrap_or_else(|| say!("Picture: {quality}.", quality = app.quality.describe()));
+    format!("{pixels}\n{quality}")
+}
+
+/// Shows the time of a frame: what is drawn, the CPU time of recording it, and the GPU time of each pass.
 pub fn show_frame_times(app: &App, ui: &mut egui::Ui) {
     app.visible_readouts.pass_times.set(true);
+    ui.label(picture_in_words(app)).on_hover_text(tr(
+        "Points of the waves' grids (FFT size n), and pixels of the picture that are computed. A slow machine draws fewer; a \
+         stopped sea has all.",
+    ));
     ui.label(say!(
         "Recording a frame: {ms} ms of the CPU",
         ms = local_number(format!("{:.2}", app.frame_measurements.recording_time_ms()))

@@ -14,12 +14,18 @@ pub fn show_study(app: &mut App, ui: &mut egui::Ui) {
         ui.weak(notices::translate(note));
     }
     spectra::show_spectrum_list(app, ui);
+    egui::CollapsingHeader::new(tr("Spectrum and other plots")).show(ui, |ui| plots::show_all_plots(app, ui));
     egui::CollapsingHeader::new(tr("Open a spectrum or a sky")).show(ui, |ui| share::show_open_buttons(app, ui));
+    ui.separator();
     show_parameters(app, ui);
     ui.separator();
-    egui::CollapsingHeader::new(tr("Spectrum and other plots")).show(ui, |ui| plots::show_all_plots(app, ui));
     egui::CollapsingHeader::new(tr("More numbers")).show(ui, |ui| numbers::show_all_statistics(app, ui));
-    egui::CollapsingHeader::new(tr("Time of a frame")).show(ui, |ui| numbers::show_frame_times(app, ui));
+    let is_asked_for = std::mem::take(&mut app.panel.shows_frame_times);
+    let header = egui::CollapsingHeader::new(tr("Time of a frame")).open(is_asked_for.then_some(true));
+    let frame_times = header.show(ui, |ui| numbers::show_frame_times(app, ui));
+    if is_asked_for {
+        frame_times.header_response.scroll_to_me(Some(egui::Align::TOP));
+    }
     egui::CollapsingHeader::new(tr("This program")).show(ui, |ui| numbers::show_system_information(app, ui));
     ui.weak(format!("Seastate {}", crate::ocean::device_info::VERSION));
 }
@@ -69,6 +75,7 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
             // A coast comes with the depth of its edge and a camera before its shore.
             let chosen = app.params.coast.name;
             if chosen != coast {
+                app.params.coast.name = coast;
                 app.choose_coast(chosen);
             }
             match group {

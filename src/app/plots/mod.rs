@@ -3,6 +3,7 @@
 //! Each can be saved as CSV. The colours of Okabe and Ito (2008) stay distinct for colour-blind readers; lines also
 //! differ in dashes.
 
+mod axis;
 mod exceedance;
 pub mod gauge;
 pub mod polar;
@@ -17,6 +18,7 @@ use egui::Color32;
 use egui_plot::Plot;
 use std::fmt::Write as _;
 
+pub use axis::SpectrumAxis;
 pub use spectrum::highest_omega;
 
 /// The six colours of the lines and bars in the panel's plots, distinct for colour-blind readers.
