@@ -152,9 +152,9 @@ fn the_coast_of_a_file_is_asked_for_in_both_tabs() {
             harness.run_steps(3);
         }
         let choose = |harness: &mut Harness<'static, App>| {
-            harness.get_by_role_and_label(egui::accesskit::Role::ComboBox, "Coast").click_accesskit();
+            harness.get_by_role_and_label(egui::accesskit::Role::ComboBox, "Coast").click();
             harness.run_steps(4);
-            harness.get_all_by_label(word).last().expect("a word").click_accesskit();
+            harness.get_all_by_label(word).last().expect("a word").click();
             harness.run_steps(4);
         };
         harness.state_mut().answer_file_dialogs(Vec::new());

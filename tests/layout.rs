@@ -110,6 +110,12 @@ fn visit(zooms: &[f32], languages: &[&str], mut look: impl FnMut(&mut Harness<'s
                         harness.run_steps(6);
                         look(&mut harness, &format!("{place}-{}", tab.to_lowercase()));
                     }
+                    let plots = harness.query_by_label(tr("Spectrum and other plots")).filter(|_| tab == "Study");
+                    if let Some(header) = plots {
+                        header.click_accesskit();
+                        harness.run_steps(6);
+                        look(&mut harness, &format!("{place}-plots"));
+                    }
                 }
                 harness.key_press(egui::Key::F1);
                 harness.run_steps(4);

@@ -1,6 +1,6 @@
 //! Read-outs of the panel: statistics of the sea by theory and as measured, times of the GPU passes, and the device.
 
-use super::super::App;
+use super::super::{App, notices};
 use crate::app::language::{local_number, say, tr};
 
 /// Shows the main statistics of the sea by theory: significant wave height, periods, wavelength, direction and spread.
@@ -14,10 +14,14 @@ pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
     let from_help = tr("Mean direction that the waves come from, clockwise from north.");
     let spread_help = tr("Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.");
     let rows = [
-        (tr("Hs"), length_scale.format(t.hs_m, 2), hs_help),
-        (tr("Tp"), format!("{:.1} s", t.tp_s), tr("Period of the peak of the spectrum.")),
+        (tr("Height Hs"), length_scale.format(t.hs_m, 2), hs_help),
+        (tr("Period Tp"), local_number(format!("{:.1} s", t.tp_s)), tr("Period of the peak of the spectrum.")),
         (tr("Length"), length_scale.format(t.lambda_p_m, 0), tr("Wavelength of the peak.")),
-        (tr("Tz"), format!("{:.1} s", t.tm02_s), tr("Mean zero-crossing period, 2 pi sqrt(m0 / m2).")),
+        (
+            tr("Mean period Tz"),
+            local_number(format!("{:.1} s", t.tm02_s)),
+            tr("Mean zero-crossing period, 2 pi sqrt(m0 / m2)."),
+        ),
         (tr("From"), from, from_help),
         (tr("Spread"), format!("{:.0}°", t.spread_deg), spread_help),
     ];
@@ -87,6 +91,9 @@ pub fn show_all_statistics(app: &App, ui: &mut egui::Ui) {
         let moments =
             if readings == 1 { tr("one moment").to_owned() } else { say!("{readings} moments", readings = readings) };
         ui.weak(say!("Measured: mean of {moments}.", moments = moments));
+    }
+    if let Some(note) = &app.derived.plan.resolution_note {
+        ui.weak(notices::translate(note));
     }
 }
 

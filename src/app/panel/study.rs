@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
-use super::super::{notices, plots};
+use super::super::plots;
 use super::{MAX_TEXT_CHARS, coast, numbers, rows, seas, share, spectra, sun, systems, text_field};
 use crate::app::language::{say, tr};
 use crate::state::fields::{FIELDS, Field, Group};
@@ -10,9 +10,6 @@ use crate::state::fields::{FIELDS, Field, Group};
 /// Adds the widgets of the tab.
 pub fn show_study(app: &mut App, ui: &mut egui::Ui) {
     numbers::show_main_statistics(app, ui);
-    if let Some(note) = &app.derived.plan.resolution_note {
-        ui.weak(notices::translate(note));
-    }
     spectra::show_spectrum_list(app, ui);
     egui::CollapsingHeader::new(tr("Spectrum and other plots")).show(ui, |ui| plots::show_all_plots(app, ui));
     egui::CollapsingHeader::new(tr("Open a spectrum or a sky")).show(ui, |ui| share::show_open_buttons(app, ui));
@@ -36,7 +33,8 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         let search = &mut app.panel.search;
         let searching = !search.is_empty();
         let (_, clears) = text_field(ui, tr("Search"), search, (tr("all parameters"), MAX_TEXT_CHARS), |ui| {
-            let clear = egui::Button::new("×").min_size(egui::Vec2::splat(ui.spacing().interact_size.y.max(24.0)));
+            let clear = egui::Button::new(egui::RichText::new("×").size(17.0))
+                .min_size(egui::Vec2::splat(ui.spacing().interact_size.y.max(24.0)));
             with_accessible_name(ui.add_enabled(searching, clear), tr("Clear the search")).clicked()
         });
         if clears {

@@ -103,8 +103,7 @@ struct SummaryLine {
 /// The lines of the text: wind, waves, time and frame rate, and how far a coast is. What concerns the machine stands in
 /// the tooltip of the frame rate and in the tab that a click on it opens.
 fn lines(app: &App) -> Vec<SummaryLine> {
-    let line =
-        |text, points, help: String, tab| SummaryLine { text, points, help, tab, is_about_frames: false };
+    let line = |text, points, help: String, tab| SummaryLine { text, points, help, tab, is_about_frames: false };
     let (headline, about) = headline(app);
     let help = tr("Significant wave height Hs, the mean of the highest third, and period Tp of the peak.");
     let waves = line(waves_in_words(app), 14.0, help.to_owned(), Tab::Study);

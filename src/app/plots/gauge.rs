@@ -24,8 +24,7 @@ pub fn show_spectrum(app: &App, (number, gauge): (usize, &PlacedGauge), ui: &mut
     show_caption(app, ui);
     let plot = spectrum_plot(app, "gauge spectrum").id(egui::Id::unique(("gauge spectrum", number)));
     plot.show(ui, |plot| {
-        let open: Vec<[f64; 2]> =
-            bands().map(|b| axis.point([b.omega_rad_s, plan.density(b.omega_rad_s)])).collect();
+        let open: Vec<[f64; 2]> = bands().map(|b| axis.point([b.omega_rad_s, plan.density(b.omega_rad_s)])).collect();
         let share = bands().map(SpectrumBand::share);
         let here: Vec<[f64; 2]> = open.iter().zip(share).map(|([at, density], s)| [*at, density * s]).collect();
         let line = Line::new(tr("Open sea"), PlotPoints::from(open)).color(PLOT_COLOURS[0]);

@@ -9,13 +9,9 @@ mod browser;
 mod desktop;
 
 #[cfg(target_arch = "wasm32")]
-pub use browser::{
-    back_up_damaged_seas, load_preferences, load_seas, save, store_preferences, store_seas,
-};
+pub use browser::{back_up_damaged_seas, load_preferences, load_seas, save, store_preferences, store_seas};
 #[cfg(not(target_arch = "wasm32"))]
-pub use desktop::{
-    back_up_damaged_seas, load_preferences, load_seas, save, store_preferences, store_seas,
-};
+pub use desktop::{back_up_damaged_seas, load_preferences, load_seas, save, store_preferences, store_seas};
 
 /// Where the user's own named seas are stored: file name on the desktop, key in the browser's local storage.
 const SEAS_FILE_NAME: &str = "seas.txt";
