@@ -202,6 +202,10 @@ fn a_phone_opens_files_and_tells_it_over_the_sea() {
         assert!(harness.state().state().contains("spectrum=measured"), "{}", harness.state().state());
         told(&harness, "The sea has the waves of two-systems.txt now");
         harness.get_by_label("Measured waves");
+        if let Some(place) = std::env::var_os("SEASTATE_PICTURES") {
+            let name = format!("phone-opened-{}.png", size[0]);
+            harness.render().expect("a picture").save(Path::new(&place).join(name)).expect("a file");
+        }
         let state = harness.state().state();
         harness.state_mut().answer_file_dialogs(vec![strange.clone()]);
         click(&mut harness, "Open a file");

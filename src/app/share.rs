@@ -107,7 +107,9 @@ impl App {
         let reading = query::parse_with_keys(text);
         if reading.keys_taken.is_empty() && !reading.notices.is_empty() {
             self.notices = reading.notices;
-            self.notices.push(tr("that is no sea: this one stays").to_owned());
+            let reason = tr("that is no sea: this one stays");
+            self.notices.push(reason.to_owned());
+            self.show_brief_message(reason);
             return;
         }
         self.set_state(text);

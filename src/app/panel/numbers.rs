@@ -3,6 +3,9 @@
 use super::super::{App, notices};
 use crate::app::language::{local_number, say, tr};
 
+/// Least width of the panel's contents in which two of the main statistics stand beside each other, points.
+const LEAST_WIDTH_OF_TWO_POINTS: f32 = 300.0;
+
 /// Shows the main statistics of the sea by theory: significant wave height, periods, wavelength, direction and spread.
 pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
     let t = &app.derived.theoretical_statistics;
@@ -25,8 +28,10 @@ pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
         (tr("From"), from, from_help),
         (tr("Spread"), format!("{:.0}°", t.spread_deg), spread_help),
     ];
-    egui::Grid::new("read-outs").num_columns(4).show(ui, |ui| {
-        for pair in rows.chunks(2) {
+    // In a narrow window with large letters two of them have no room in a line.
+    let in_line = if ui.available_width() < LEAST_WIDTH_OF_TWO_POINTS { 1 } else { 2 };
+    egui::Grid::new("read-outs").num_columns(2 * in_line).show(ui, |ui| {
+        for pair in rows.chunks(in_line) {
             for (label, text, help) in pair {
                 ui.weak(*label).on_hover_text(*help);
                 ui.strong(text).on_hover_text(*help);
