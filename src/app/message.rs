@@ -63,18 +63,23 @@ impl App {
         });
     }
 
-    /// The part of the window in which messages appear: the sea that no panel covers.
+    /// The part of the window in which messages appear: the sea that neither a panel nor a hint at its lower edge covers.
     fn part_for_messages(&self, ctx: &egui::Context) -> egui::Rect {
         let has_panel = self.params.screen.interface == Interface::Panel;
-        let free = if has_panel { panel::free_part(self, ctx) } else { ctx.content_rect() };
+        let mut free = if has_panel { panel::free_part(self, ctx) } else { ctx.content_rect() };
+        let hint = ctx.memory(|m| m.area_rect(egui::Id::unique("first steps")));
+        if let Some(hint) = hint.filter(|hint| self.visitor.first_steps.is_shown() && hint.top() > free.center().y) {
+            free.set_bottom(hint.top().min(free.bottom()));
+        }
         free.shrink(MARGIN_POINTS)
     }
 
-    /// The area called `name` of a message: at the lower edge of the sea, away from the sea in words.
+    /// The area called `name` of a message: at the lower edge of the sea, away from the sea in words; without the panel at
+    /// the upper edge, away from captions.
     fn area(&self, name: &'static str, ctx: &egui::Context) -> egui::Area {
-        let free = self.part_for_messages(ctx);
-        let from_window = free.center_bottom() - ctx.content_rect().center_bottom();
         let area = egui::Area::new(egui::Id::unique(name)).order(egui::Order::Foreground);
-        area.anchor(egui::Align2::CENTER_BOTTOM, from_window).constrain_to(free)
+        let has_panel = self.params.screen.interface == Interface::Panel;
+        let side = if has_panel { egui::Align2::CENTER_BOTTOM } else { egui::Align2::CENTER_TOP };
+        area.anchor(side, egui::Vec2::ZERO).constrain_to(self.part_for_messages(ctx))
     }
 }

@@ -367,7 +367,11 @@ fn show_notices(app: &App, ui: &mut egui::Ui) {
     }
     let missing = app.params.look.sky.missing_file_notice();
     let of_coast = app.coast_notices();
-    for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing).chain(&of_coast) {
+    // What the plan of the waves says explains the sea. Nobody has done anything wrong.
+    for text in &app.derived.plan.notices {
+        ui.weak(notices::translate(text));
+    }
+    for text in app.notices.iter().chain(&missing).chain(&of_coast) {
         ui.colored_label(egui::Color32::from_rgb(240, 200, 110), notices::translate(text));
     }
     for text in app.errors() {
