@@ -135,8 +135,8 @@ fn a_dropped_bathymetry_becomes_the_coast() {
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }
 
-/// Whoever chooses a coast from a file before one was opened is asked for the file, in the tab of the weather as in that
-/// of study. Until then, and if no file is chosen, all stays as it is.
+/// Whoever chooses a coast from a file before one was opened is asked for the file, in the tab of the weather as in
+/// that of study. Until then, and if no file is chosen, all stays as it is.
 #[test]
 fn the_coast_of_a_file_is_asked_for_in_both_tabs() {
     let path = write_file("asked.asc", beach_grid().as_bytes());

@@ -109,8 +109,8 @@ impl App {
         (!(1.0 - DEPTH_TOLERANCE..1.0 + DEPTH_TOLERANCE).contains(&ratio)).then_some(edge_m)
     }
 
-    /// Gives the sea the coast `name`, the depth of its seaward edge, and a camera before its shore. If the coast is to be
-    /// a file and none was opened yet, lets the user choose one; until then all stays as it is.
+    /// Gives the sea the coast `name`, the depth of its seaward edge, and a camera before its shore. If the coast is a
+    /// file and none was opened yet, lets the user choose one; until then all stays as it is.
     pub(super) fn choose_coast(&mut self, name: CoastName) {
         if name == CoastName::File && self.coast.file.is_none() {
             self.choose_files();

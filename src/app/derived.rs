@@ -24,7 +24,7 @@ pub struct DerivedSeaData {
     /// Statistics of the sea (wave height, periods, slope, direction) by theory, from integrals of the continuous
     /// spectrum.
     pub theoretical_statistics: SpectrumStatistics,
-    /// Height and length of the waves of each wave system by theory; empty if there is only one, which is the whole sea.
+    /// Height and length of the waves of each wave system by theory; empty if there is only one: the whole sea.
     pub systems: Vec<SystemSize>,
     /// Statistics of the resolved waves (those on the FFT grids), as sums over these waves; empty until first used.
     resolved: OnceCell<LatticeStatistics>,

@@ -63,7 +63,8 @@ impl App {
         });
     }
 
-    /// The part of the window in which messages appear: the sea that neither a panel nor a hint at its lower edge covers.
+    /// The part of the window in which messages appear: the sea that neither a panel nor a hint at its lower edge
+    /// covers.
     fn part_for_messages(&self, ctx: &egui::Context) -> egui::Rect {
         let has_panel = self.params.screen.interface == Interface::Panel;
         let mut free = if has_panel { panel::free_part(self, ctx) } else { ctx.content_rect() };
@@ -74,8 +75,8 @@ impl App {
         free.shrink(MARGIN_POINTS)
     }
 
-    /// The area called `name` of a message: at the lower edge of the sea, away from the sea in words; without the panel at
-    /// the upper edge, away from captions.
+    /// The area called `name` of a message: at the lower edge of the sea, away from the sea in words; without the panel
+    /// at the upper edge, away from captions.
     fn area(&self, name: &'static str, ctx: &egui::Context) -> egui::Area {
         let area = egui::Area::new(egui::Id::unique(name)).order(egui::Order::Foreground);
         let has_panel = self.params.screen.interface == Interface::Panel;

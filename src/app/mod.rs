@@ -68,7 +68,7 @@ pub struct App {
     params: Params,
     /// Messages about parts of a state string or of a file that could not be used. The panel shows them.
     notices: Vec<String>,
-    /// Sentences about the file that was opened last, such as its name and size. The panel shows them in a neutral colour.
+    /// Sentences about the file that was opened last, such as name and size. The panel shows them in a neutral colour.
     news: Vec<String>,
     /// Whether the next frame makes the foam anew, because another sea was opened: that of the old one does not fit.
     restarts_foam: bool,
@@ -94,8 +94,7 @@ pub struct App {
     /// Factor on egui's text and controls that was set last.
     text_size: f32,
     message: Option<message::Message>,
-    /// Camera, with the time of a stopped clock, as it was last rounded to a link's digits or opened from a link. It is
-    /// rounded again only after a change.
+    /// Camera, with the time of a stopped clock, as last rounded to a link's digits; rounded again after a change.
     rounded_pose: Option<rounding::CameraAndPausedTime>,
     /// Parameters of the last drawn picture, and its width and height in pixels; `None` before the first one.
     drawn: Option<(Params, [u32; 2])>,

@@ -124,7 +124,7 @@ pub struct Panel {
     coast_map: Option<coast_map::MapPicture>,
     /// The sheet of a narrow window.
     pub sheet: sheet::Sheet,
-    /// Distance by which the panel of a wide window has been dragged away from its edge, points; 0 if it is not dragged.
+    /// Distance by which the panel of a wide window has been dragged away from its edge, points; 0 at rest.
     dragged_points: f32,
     /// Whether the next frame shows the times of a frame in the tab of study.
     shows_frame_times: bool,

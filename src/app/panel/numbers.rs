@@ -115,8 +115,8 @@ pub fn picture_in_words(app: &App) -> String {
 pub fn show_frame_times(app: &App, ui: &mut egui::Ui) {
     app.visible_readouts.pass_times.set(true);
     ui.label(picture_in_words(app)).on_hover_text(tr(
-        "Points of the waves' grids (FFT size n), and pixels of the picture that are computed. A slow machine draws fewer; a \
-         stopped sea has all.",
+        "Points of the waves' grids (FFT size n), and pixels of the picture that are computed. A slow machine draws \
+         fewer; a stopped sea has all.",
     ));
     ui.label(say!(
         "Recording a frame: {ms} ms of the CPU",

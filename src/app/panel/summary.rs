@@ -128,8 +128,8 @@ fn lines(app: &App) -> Vec<SummaryLine> {
 fn headline(app: &App) -> (String, &'static str) {
     if app.has_measured_waves() {
         let about = tr(
-            "The waves of the spectrum that was opened: a buoy has measured them, or a wave model has computed them. The wind of \
-             the panel does not make them.",
+            "The waves of the spectrum that was opened: a buoy has measured them, or a wave model has computed them. The \
+             wind of the panel does not make them.",
         );
         return (tr("Measured waves").to_owned(), about);
     }

@@ -1,5 +1,5 @@
-//! The axis along which spectra are plotted: by the period of the waves, by their frequency, or by their angular frequency.
-//! The density of the variance has the unit that belongs to the axis, so that the area under a curve is the variance.
+//! The axis along which spectra are plotted: the period of the waves, their frequency, or their angular frequency. The
+//! density of the variance has the unit that belongs to the axis, so that the area under a curve is the variance.
 
 use super::super::App;
 use super::fixed_plot;
@@ -19,7 +19,7 @@ const LEAST_MARK_DISTANCE: f64 = 0.1;
 /// What the axis of a spectrum tells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpectrumAxis {
-    /// Period, s. The axis itself is linear in the frequency, so that long waves are at the left, and the areas under the
+    /// Period, s. The axis itself is linear in the frequency, so that long waves are at the left, and areas under the
     /// curve stay right.
     #[default]
     Period,
@@ -58,7 +58,8 @@ impl SpectrumAxis {
     fn caption(self) -> &'static str {
         match self {
             Self::Period => text!(
-                "Energy by wave period: each peak is one group of waves, long waves at the left, short ones at the right."
+                "Energy by wave period: each peak is one group of waves, long waves at the left, short ones at the \
+                right."
             ),
             Self::Frequency => text!("Variance density S(f), m²/Hz, over the frequency f, Hz"),
             Self::AngularFrequency => text!("Variance density S(ω), m² s, over ω, rad/s"),
@@ -168,7 +169,8 @@ pub fn show_axis_choice(app: &mut App, ui: &mut egui::Ui) {
 /// Adds a sentence about what a spectrum shows along the chosen axis.
 pub fn show_caption(app: &App, ui: &mut egui::Ui) {
     let help = tr(
-        "The area under the curve is the variance of the water's height. Four times its root is the significant wave height Hs.",
+        "The area under the curve is the variance of the water's height. Four times its root is the significant wave \
+         height Hs.",
     );
     ui.weak(tr(app.visitor.preferences.spectrum_axis.caption())).on_hover_text(help);
 }

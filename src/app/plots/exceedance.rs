@@ -36,7 +36,8 @@ fn shape_and_groups(record: &WaveRecordStatistics, theory: &CrestTheory) -> Stri
         return text;
     }
     let groups_in_words = say!(
-        "waves above Hs in groups of {length}, a group every {distance} waves (theory {theory_length}, {theory_distance})",
+        "waves above Hs in groups of {length}, a group every {distance} waves (theory {theory_length}, \
+         {theory_distance})",
         length = local_number(format!("{:.1}", groups.mean_run_length)),
         distance = format!("{:.0}", groups.mean_repeat_length),
         theory_length = local_number(format!("{:.1}", theory.groups.mean_run_length)),

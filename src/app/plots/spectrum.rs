@@ -21,8 +21,9 @@ pub fn highest_omega(plan: &Plan) -> f64 {
     (3.5 * plan.omega_p).max(2.0 * highest)
 }
 
-/// Plots the frequency spectrum by theory and as measured, and its highest peak, along the axis that the visitor chooses;
-/// but for the axis of periods also the frequencies that separate the cascades. Returns the data as a table for a CSV file.
+/// Plots the frequency spectrum by theory and as measured, and its highest peak, along the axis that the visitor
+/// chooses; but for the axis of periods also the frequencies that separate the cascades. Returns the data as a table for
+/// a CSV file.
 pub fn show_spectrum_plot(app: &mut App, ui: &mut egui::Ui) -> PlotTable {
     show_axis_choice(app, ui);
     let app = &*app;

@@ -37,8 +37,8 @@ pub fn load_seas() -> String {
     seas_path().ok().and_then(|path| read_text(&path)).unwrap_or_default()
 }
 
-/// Loads the stored preferences as text, from `folder` if the app has a folder of its own for files, else from that of the
-/// program's data; empty if there are none. What an older program stored about the panel comes first, so that what is
+/// Loads the stored preferences as text, from `folder` if the app has a folder of its own for files, else from that of
+/// the program's data; empty if there are none. What an older program stored about the panel comes first, so that what is
 /// stored later counts.
 pub fn load_preferences(folder: Option<&Path>) -> String {
     let text = |name| preferences_path(folder, name).ok().and_then(|path| read_text(&path)).unwrap_or_default();
