@@ -318,6 +318,18 @@ fn the_axis_of_spectra_is_chosen_and_kept() {
         let shown = ["Energy by wave period", "over the frequency f, Hz", "over ω, rad/s"];
         let shown: Vec<_> = shown.iter().filter(|c| harness.query_by_label_contains(c).is_some()).copied().collect();
         captions.extend(shown);
+        let has_text = |words: &str| {
+            let texts = harness.output().shapes.iter().filter_map(|shape| match &shape.shape {
+                egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+                _ => None,
+            });
+            texts.into_iter().any(|text| text == words)
+        };
+        // The sea of 12 m/s over 150 km peaks at 7.6 s, 0.13 Hz, 0.83 rad/s.
+        let numbers = [["10 s", "5 s"], ["0.1", "0.2"], ["0.5", "1"]];
+        for number in numbers[captions.len() - 1] {
+            assert!(has_text(number), "{number} stands at the axis");
+        }
         click(&mut harness, chosen);
         assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
     }

@@ -13,8 +13,8 @@ const ROUND_PERIODS_S: [f64; 28] = [
     10.0, 5.0, 1.0, 20.0, 2.0, 0.5, 0.2, 3.0, 4.0, 7.0, 0.3, 0.4, 30.0, 15.0, 8.0, 6.0, 2.5, 1.5, 0.7, 12.0, 1.2, 0.25,
     0.15, 0.1, 50.0, 40.0, 25.0, 100.0,
 ];
-/// Least distance of two periods at the axis, as a share of its length.
-const LEAST_MARK_DISTANCE: f64 = 0.1;
+/// Least distance of two periods at the axis, points: room for `2.5 s`.
+const LEAST_MARK_DISTANCE_POINTS: f32 = 36.0;
 
 /// What the axis of a spectrum tells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -114,10 +114,11 @@ impl SpectrumAxis {
     }
 }
 
-/// Marks at round periods, s, of an axis that is linear in the frequency, Hz.
-fn period_marks(input: &GridInput) -> Vec<GridMark> {
+/// Marks at round periods, s, of an axis that is linear in the frequency, Hz. Their least distance is the share
+/// `least_share` of its length.
+fn period_marks(input: &GridInput, least_share: f64) -> Vec<GridMark> {
     let (low, high) = input.bounds;
-    let least = LEAST_MARK_DISTANCE * (high - low);
+    let least = least_share * (high - low);
     let mut marks: Vec<GridMark> = Vec::new();
     for value in ROUND_PERIODS_S.iter().map(|period_s| 1.0 / period_s).filter(|f| (low..=high).contains(f)) {
         if marks.iter().all(|mark| (mark.value - value).abs() >= least) {
@@ -129,7 +130,7 @@ fn period_marks(input: &GridInput) -> Vec<GridMark> {
 }
 
 /// An empty plot of spectra with the axis that the visitor has chosen.
-pub fn spectrum_plot<'a>(app: &'a App, name: &'a str) -> Plot<'a> {
+pub fn spectrum_plot<'a>(app: &'a App, name: &'a str, ui: &egui::Ui) -> Plot<'a> {
     let (axis, scale) = (app.visitor.preferences.spectrum_axis, app.length_scale());
     let dispersion: &Dispersion = &app.derived.plan.dispersion;
     let plot = fixed_plot(name).legend(Legend::default().background_alpha(0.4));
@@ -145,8 +146,9 @@ pub fn spectrum_plot<'a>(app: &'a App, name: &'a str) -> Plot<'a> {
         return plot;
     }
     // The numbers of the density say nothing to who has not chosen its unit.
+    let least_share = f64::from((LEAST_MARK_DISTANCE_POINTS / ui.available_width()).clamp(0.0, 0.5));
     plot.show_axes([true, false])
-        .x_grid_spacer(|input| period_marks(&input))
+        .x_grid_spacer(move |input| period_marks(&input, least_share))
         .x_axis_formatter(|mark, _| format!("{} s", local_number(format!("{}", 1e-3 * (1e3 / mark.value).round()))))
 }
 
@@ -199,10 +201,10 @@ mod tests {
     fn the_marks_are_round_periods_that_keep_their_distance() {
         // Long swell, a usual sea, ripples.
         for (bounds, some) in [((0.02, 0.2), 10.0), ((0.05, 0.5), 5.0), ((0.5, 6.0), 0.5)] {
-            let marks = period_marks(&GridInput { bounds, base_step_size: 0.01 });
+            let marks = period_marks(&GridInput { bounds, base_step_size: 0.01 }, 0.1);
             assert!((4..=9).contains(&marks.len()), "{marks:?}");
             assert!(marks.iter().any(|m| (1.0 / m.value - some).abs() < 1e-9), "{some} s of {marks:?}");
-            let least = LEAST_MARK_DISTANCE * (bounds.1 - bounds.0);
+            let least = 0.1 * (bounds.1 - bounds.0);
             assert!(marks.windows(2).all(|m| m[1].value - m[0].value >= least), "{marks:?}");
         }
     }

@@ -22,7 +22,7 @@ pub fn show_spectrum(app: &App, (number, gauge): (usize, &PlacedGauge), ui: &mut
     let bands = || bands.iter().filter(|band| band.omega_rad_s <= end);
     let axis = app.visitor.preferences.spectrum_axis;
     show_caption(app, ui);
-    let plot = spectrum_plot(app, "gauge spectrum").id(egui::Id::unique(("gauge spectrum", number)));
+    let plot = spectrum_plot(app, "gauge spectrum", ui).id(egui::Id::unique(("gauge spectrum", number)));
     plot.show(ui, |plot| {
         let open: Vec<[f64; 2]> = bands().map(|b| axis.point([b.omega_rad_s, plan.density(b.omega_rad_s)])).collect();
         let share = bands().map(SpectrumBand::share);

@@ -36,7 +36,7 @@ pub fn show_spectrum_plot(app: &mut App, ui: &mut egui::Ui) -> PlotTable {
     };
     let record = app.record.spectrum();
     let maps = app.sea_measurement.bin_width_and_spectrum();
-    spectrum_plot(app, "spectrum").show(ui, |plot| {
+    spectrum_plot(app, "spectrum", ui).show(ui, |plot| {
         if let Some((width, density)) = &maps {
             plot.bar_chart(axis.bars(tr("Drawn waves"), *width, density).color(PLOT_COLOURS[3].gamma_multiply(0.35)));
         }
