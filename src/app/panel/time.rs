@@ -16,7 +16,7 @@ const SLIDER_RANGE_S: f64 = 120.0;
 pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
     let loop_s = app.params.sea.repeat_period_s;
     let clock = &mut app.params.clock;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         if button_with_help(ui, if clock.paused { tr("Play") } else { tr("Pause") }, tr("Space")) {
             clock.paused = !clock.paused;
         }

@@ -33,7 +33,7 @@ const PLOT_COLOURS: [Color32; 6] = [
 /// Height of a plot on the screen, points.
 const PLOT_HEIGHT_POINTS: f32 = 150.0;
 /// Distances of marks at the horizontal axis, points, from which on their numbers appear, and are clear.
-const NUMBER_SPACING_POINTS: egui::Rangef = egui::Rangef::new(10.0, 20.0);
+const NUMBER_SPACING_POINTS: egui::Rangef = egui::Rangef { min: 10.0, max: 20.0 };
 
 /// The data of a plot as a table for a CSV file: file name, column headings separated by commas, rows.
 pub struct PlotTable {
