@@ -153,7 +153,7 @@ fn a_dropped_buoy_becomes_the_sea() {
     std::fs::write(&bad, "0.1,2\n0.2,1\n0.15,1\n").expect("a temporary file");
     drop_files(&mut harness, &[bad]);
     assert_eq!(harness.state().state(), state);
-    harness.get_by_label_contains("line 3");
+    assert_told(&harness, "line 3");
 }
 
 #[test]
@@ -200,7 +200,7 @@ fn a_dropped_sky_is_shown_and_carried_by_name() {
     std::fs::write(&bad, &bytes[..bytes.len() / 2]).expect("a file");
     drop_files(&mut harness, &[bad]);
     assert_eq!(harness.state().state(), "pause=1&n=64&sky=made+up.hdr");
-    harness.get_by_label_contains("half.hdr: it ends too early");
+    assert_told(&harness, "half.hdr: it ends too early");
 
     // A link that names this sky shows it again; a link that names another sky reports that it is missing.
     harness.state_mut().set_state("n=64&pause=1&sky=made+up.hdr");
@@ -210,6 +210,12 @@ fn a_dropped_sky_is_shown_and_carried_by_name() {
     harness.run_steps(2);
     harness.get_by_label_contains("\"other.hdr\" is not loaded");
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+}
+
+/// Why a file was not opened stands in the panel, and over the sea for who has closed it.
+fn assert_told(harness: &Harness<'_, App>, words: &str) {
+    let count = harness.query_all_by_label_contains(words).count();
+    assert_eq!(count, 2, "{words}: {}", harness.state().report_text());
 }
 
 /// A file or link that cannot be read adds a notice and changes nothing else.
@@ -237,7 +243,7 @@ fn what_cannot_be_read_changes_nothing() {
         std::fs::write(&path, bytes).expect("a file");
         drop_files(&mut harness, &[path]);
         assert_eq!(harness.state().state(), state, "{name}");
-        assert!(harness.query_by_label_contains(says).is_some(), "{name}: {}", harness.state().report_text());
+        assert_told(&harness, says);
     }
     // The picture of the default sea has an empty state string and opens, too.
     let path = folder.join("plain.png");

@@ -36,13 +36,18 @@ impl egui::DroppedFile for File {
     }
 }
 
-/// Drops a file of this name and content on the window.
-fn drop_file(harness: &mut Harness<'_, App>, name: &str, content: &[u8]) {
+/// Writes a file of this name and content, and returns its path.
+fn write_file(name: &str, content: &[u8]) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("coast-page");
     std::fs::create_dir_all(&folder).expect("a folder");
     let path = folder.join(name);
     std::fs::write(&path, content).expect("a file");
-    harness.input_mut().dropped_files.push(std::sync::Arc::new(File(path)));
+    path
+}
+
+/// Drops a file of this name and content on the window.
+fn drop_file(harness: &mut Harness<'_, App>, name: &str, content: &[u8]) {
+    harness.input_mut().dropped_files.push(std::sync::Arc::new(File(write_file(name, content))));
     harness.run_steps(3);
 }
 
@@ -130,6 +135,40 @@ fn a_dropped_bathymetry_becomes_the_coast() {
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }
 
+/// Whoever chooses a coast from a file before one was opened is asked for the file, in the tab of the weather as in
+/// that of study. Until then, and if no file is chosen, all stays as it is.
+#[test]
+fn the_coast_of_a_file_is_asked_for_in_both_tabs() {
+    let path = write_file("asked.asc", beach_grid().as_bytes());
+    for (tab, word) in [("Weather", "From a file"), ("Study", "file")] {
+        let mut harness = open(&format!("{SEA}&depth=30"));
+        let before = harness.state().state();
+        if tab == "Study" {
+            harness.get_by_label("Study").click();
+            harness.run_steps(3);
+            harness.get_by_label("Search").focus();
+            harness.run_steps(2);
+            harness.get_by_label("Search").type_text("coast");
+            harness.run_steps(3);
+        }
+        let choose = |harness: &mut Harness<'static, App>| {
+            harness.get_by_role_and_label(egui::accesskit::Role::ComboBox, "Coast").click();
+            harness.run_steps(4);
+            harness.get_all_by_label(word).last().expect("a word").click();
+            harness.run_steps(4);
+        };
+        harness.state_mut().answer_file_dialogs(Vec::new());
+        choose(&mut harness);
+        assert_eq!(harness.state().state(), before, "{tab}: no file was chosen");
+        harness.state_mut().answer_file_dialogs(vec![path.clone()]);
+        choose(&mut harness);
+        let now = params(&harness);
+        assert_eq!((now.coast.name, now.sea.depth_m), (CoastName::File, 8.0), "{tab}");
+        harness.get_by_label("asked.asc is the coast now.");
+        assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    }
+}
+
 #[test]
 fn hostile_bathymetries_change_nothing() {
     let mut harness = open(&format!("{SEA}&coast=bar&depth=11.4"));
@@ -148,7 +187,8 @@ fn hostile_bathymetries_change_nothing() {
     for (name, content) in cases {
         drop_file(&mut harness, name, content);
         assert_eq!(harness.state().state(), state, "{name}");
-        harness.get_by_label_contains(name);
+        // In the panel, and over the sea for who has closed it.
+        assert_eq!(harness.query_all_by_label_contains(name).count(), 2, "{name}");
     }
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }

@@ -172,3 +172,50 @@ fn samples_are_opened_and_files_have_a_button() {
         harness.render().expect("a picture").save(Path::new(&place).join("sample-sky.png")).expect("a file");
     }
 }
+
+/// On a phone a file is opened from the first row of any tab, and the sea itself says what came of it.
+#[test]
+fn a_phone_opens_files_and_tells_it_over_the_sea() {
+    let folder = folder("phone");
+    let strange = folder.join("strange.txt");
+    std::fs::write(&strange, "neither waves nor depths").expect("a file");
+    for size in [[360.0, 640.0], [390.0, 844.0]] {
+        let mut harness = open("n=64&pause=1&mesh=0.1", size);
+        harness.ctx.all_styles_mut(|style| style.animation_time = 0.0);
+        let window = egui::Rect::from_min_size(egui::Pos2::ZERO, size.into());
+        for tab in ["Weather", "Study", "Share"] {
+            click(&mut harness, tab);
+            harness.run_steps(4);
+            let button = harness.get_by_label("Open a file").rect();
+            assert!(window.contains_rect(button), "{tab}: {button}");
+            assert!(button.width() >= 44.0 && button.height() >= 44.0, "{tab}: {button}");
+        }
+        let told = |harness: &Harness<'static, App>, words: &str| {
+            let sheet = harness.get_by_label("Height of the sheet").rect();
+            let texts: Vec<_> = harness.query_all_by_label_contains(words).map(|node| node.rect()).collect();
+            let summary = harness.ctx.memory(|m| m.area_rect(egui::Id::unique("summary"))).expect("a summary");
+            let is_over_sea = |text: &egui::Rect| {
+                window.contains_rect(*text) && text.bottom() <= sheet.top() && !text.intersects(summary)
+            };
+            assert!(texts.iter().any(is_over_sea), "{words}: {texts:?}, the sheet begins at {}", sheet.top());
+        };
+        harness.state_mut().answer_file_dialogs(vec!["assets/spectra/two-systems.txt".into()]);
+        click(&mut harness, "Open a file");
+        harness.run_steps(4);
+        assert!(harness.state().state().contains("spectrum=measured"), "{}", harness.state().state());
+        told(&harness, "The sea has the waves of two-systems.txt now");
+        harness.get_by_label("Measured waves");
+        if let Some(place) = std::env::var_os("SEASTATE_PICTURES") {
+            let name = format!("phone-opened-{}.png", size[0]);
+            harness.render().expect("a picture").save(Path::new(&place).join(name)).expect("a file");
+        }
+        let state = harness.state().state();
+        harness.state_mut().answer_file_dialogs(vec![strange.clone()]);
+        click(&mut harness, "Open a file");
+        harness.run_steps(4);
+        assert_eq!(harness.state().state(), state);
+        told(&harness, "strange.txt");
+        assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    }
+    std::fs::remove_dir_all(&folder).expect("the folder is removed");
+}

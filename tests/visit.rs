@@ -277,3 +277,64 @@ fn the_camera_moves_while_nobody_touches_and_the_state_stays() {
     harness.run_steps(30);
     assert!(sea(&mut harness) == stopped, "the camera has returned to that of the state");
 }
+
+/// The text over the sea tells of the sea alone. What concerns the machine is a click away, and measured waves are
+/// explained as such.
+#[test]
+fn the_sea_in_words_explains_itself() {
+    let mut harness = open("n=64&pause=1");
+    harness.get_by_label_contains("high and ");
+    assert!(
+        harness.query_by_label_contains("points, ").is_none(),
+        "the points of the grids are the machine's business"
+    );
+    harness.get_by_label_contains("ms a frame").click();
+    harness.run_steps(60);
+    let points = harness.get_by_label_contains("points, ").rect();
+    assert!(points.top() > 0.0 && points.bottom() < 700.0, "the tab scrolls to it: {points}");
+    click(&mut harness, "Share");
+    click(&mut harness, "Try a spectrum");
+    let headline = harness.get_by_label("Measured waves").rect().center();
+    harness.hover_at(headline);
+    harness.run_steps(90);
+    harness.get_by_label_contains("a buoy has measured them");
+    assert!(harness.query_by_label_contains("Wind speed 10 m above").is_none());
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+}
+
+/// A spectrum stands over the period of the waves, and over what a visitor has chosen before.
+#[test]
+fn the_axis_of_spectra_is_chosen_and_kept() {
+    let folder = std::env::temp_dir().join(format!("seastate-axis-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let mut captions = Vec::new();
+    for chosen in ["Hz", "rad/s", "Period"] {
+        let mut harness = open("n=64&pause=1");
+        harness.state_mut().set_save_folder(folder.clone());
+        harness.state_mut().load_preferences();
+        click(&mut harness, "Study");
+        click(&mut harness, "Spectrum and other plots");
+        harness.run_steps(20);
+        let shown = ["Energy by wave period", "over the frequency f, Hz", "over ω, rad/s"];
+        let shown: Vec<_> = shown.iter().filter(|c| harness.query_by_label_contains(c).is_some()).copied().collect();
+        captions.extend(shown);
+        let has_text = |words: &str| {
+            let texts = harness.output().shapes.iter().filter_map(|shape| match &shape.shape {
+                egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+                _ => None,
+            });
+            texts.into_iter().any(|text| text == words)
+        };
+        // The sea of 12 m/s over 150 km peaks at 7.6 s, 0.13 Hz, 0.83 rad/s.
+        let numbers = [["10 s", "5 s"], ["0.1", "0.2"], ["0.5", "1"]];
+        for number in numbers[captions.len() - 1] {
+            assert!(has_text(number), "{number} stands at the axis");
+        }
+        click(&mut harness, chosen);
+        assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
+    }
+    assert_eq!(captions, ["Energy by wave period", "over the frequency f, Hz", "over ω, rad/s"]);
+    let kept = std::fs::read_to_string(folder.join("preferences.txt")).expect("the choice is kept");
+    assert!(kept.contains("spectrum-axis=period\n"), "{kept}");
+    std::fs::remove_dir_all(&folder).expect("the folder is removed");
+}

@@ -109,8 +109,13 @@ impl App {
         (!(1.0 - DEPTH_TOLERANCE..1.0 + DEPTH_TOLERANCE).contains(&ratio)).then_some(edge_m)
     }
 
-    /// Gives the sea the coast `name`, the depth of its seaward edge, and a camera before its shore.
+    /// Gives the sea the coast `name`, the depth of its seaward edge, and a camera before its shore. If the coast is a
+    /// file and none was opened yet, lets the user choose one; until then all stays as it is.
     pub(super) fn choose_coast(&mut self, name: CoastName) {
+        if name == CoastName::File && self.coast.file.is_none() {
+            self.choose_files();
+            return;
+        }
         let mut coast = Coast { name, ..Coast::default() };
         coast.adopt_file(self.coast.file.as_ref());
         match PlacedCoast::of_state(&coast, None) {
@@ -145,7 +150,8 @@ impl App {
         let land = PlacedCoast::of_state(&coast, None)?;
         let about = land.as_ref().map(|land| land.about.clone()).unwrap_or_default();
         let (columns, rows) = (file.0.grid.columns, file.0.grid.rows);
-        self.news = vec![format!("{}: {columns} x {rows}, {about}", file.0.name)];
+        let details = format!("{}: {columns} x {rows}, {about}", file.0.name);
+        self.tell_opened(&say!("{name} is the coast now.", name = file.0.name), details);
         self.notices.clear();
         self.coast.file = Some(file);
         self.go_to_coast(coast, land.as_ref());
@@ -155,11 +161,6 @@ impl App {
     /// Whether the waves near the coast of the parameters are there, or the sea is open.
     pub fn is_coast_shown(&self) -> bool {
         !self.coast.task.is_busy(&self.params_to_draw())
-    }
-
-    /// Whether a bathymetry was opened since the start.
-    pub(super) fn has_coast_file(&self) -> bool {
-        self.coast.file.is_some()
     }
 
     /// The name of the coast in the language of the interface; `None` in the open sea.

@@ -24,7 +24,7 @@ pub struct DerivedSeaData {
     /// Statistics of the sea (wave height, periods, slope, direction) by theory, from integrals of the continuous
     /// spectrum.
     pub theoretical_statistics: SpectrumStatistics,
-    /// Height and length of the waves of each wave system by theory.
+    /// Height and length of the waves of each wave system by theory; empty if there is only one: the whole sea.
     pub systems: Vec<SystemSize>,
     /// Statistics of the resolved waves (those on the FFT grids), as sums over these waves; empty until first used.
     resolved: OnceCell<LatticeStatistics>,
@@ -64,7 +64,8 @@ impl DerivedSeaData {
     pub fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
         let theory = SpectrumStatistics::new(&plan);
-        let systems = plan.systems.iter().map(|system| SystemSize::new(system, &plan)).collect();
+        let several = Some(&plan.systems).filter(|systems| systems.len() > 1);
+        let systems = several.into_iter().flatten().map(|system| SystemSize::new(system, &plan)).collect();
         Self {
             systems,
             params: params.clone(),

@@ -11,10 +11,14 @@ pub const SHARE: &str = "\u{e156}";
 pub const PLAY: &str = "\u{e13c}";
 pub const PAUSE: &str = "\u{e12e}";
 pub const SURPRISE: &str = "\u{e2c5}";
+pub const TO_START: &str = "\u{e15f}";
+pub const STEP_BACK: &str = "\u{e3e9}";
+pub const STEP_FORWARD: &str = "\u{e3ea}";
 pub const UNDO: &str = "\u{e2a1}";
 pub const REDO: &str = "\u{e2a0}";
 pub const RESET: &str = "\u{e148}";
 pub const HELP: &str = "\u{e082}";
+pub const OPEN: &str = "\u{e247}";
 pub const LINK: &str = "\u{e102}";
 pub const PICTURE: &str = "\u{e0f6}";
 

@@ -1,15 +1,20 @@
-//! The short message that appears at the top of the window, such as "Link copied."
+//! The short message that appears over the sea, such as "Link copied."
 
-use super::App;
+use super::{App, panel};
 use crate::app::language::tr;
+use crate::state::params::Interface;
 use std::time::Duration;
 
-/// Time for which a message stays visible, s.
+/// Least time for which a message stays visible, s.
 const MESSAGE_DURATION_S: f64 = 4.0;
-/// Place of the message relative to the middle of the window's upper edge, points.
-const MESSAGE_PLACE: egui::Vec2 = egui::vec2(0.0, 16.0);
+/// Time in which one letter of a message is read at leisure, s.
+const LETTER_DURATION_S: f64 = 0.07;
+/// Distance of the message from the edges of the sea, points.
+const MARGIN_POINTS: f32 = 16.0;
+/// Largest width of the text of a message, points.
+const MAX_WIDTH_POINTS: f32 = 420.0;
 
-/// A message for the user at the top of the window, and the time on egui's clock at which it disappears.
+/// A message for the user over the sea, and the time on egui's clock at which it disappears.
 pub struct Message {
     /// Text of the message, one sentence.
     pub text: String,
@@ -18,7 +23,7 @@ pub struct Message {
 }
 
 impl App {
-    /// Shows a message at the top of the window for a few seconds.
+    /// Shows a message over the sea for a few seconds.
     pub(super) fn show_brief_message(&mut self, text: &str) {
         self.message = Some(Message { text: text.to_owned(), end_s: None });
         self.ctx.request_repaint();
@@ -28,8 +33,7 @@ impl App {
     pub(super) fn draw_message(&mut self, ctx: &egui::Context) {
         // A brief message, such as that a link was copied, takes the place for its time.
         if self.picture_job.is_some() && self.message.is_none() {
-            let area = egui::Area::new(egui::Id::unique("picture")).anchor(egui::Align2::CENTER_TOP, MESSAGE_PLACE);
-            area.show(ctx, |ui| {
+            self.area("picture", ctx).show(ctx, |ui| {
                 egui::Frame::window(ui.style()).show(ui, |ui| {
                     ui.horizontal(|ui| {
                         ui.spinner();
@@ -42,17 +46,41 @@ impl App {
             });
             return;
         }
+        let (area, free) = (self.area("said", ctx), self.part_for_messages(ctx));
         let Some(message) = &mut self.message else { return };
         let now_s = ctx.input(|i| i.time);
-        let end_s = *message.end_s.get_or_insert(now_s + MESSAGE_DURATION_S);
+        let duration_s = MESSAGE_DURATION_S.max(LETTER_DURATION_S * message.text.chars().count() as f64);
+        let end_s = *message.end_s.get_or_insert(now_s + duration_s);
         if now_s > end_s {
             self.message = None;
             return;
         }
         ctx.request_repaint_after(Duration::from_secs_f64(end_s - now_s));
-        let area = egui::Area::new(egui::Id::unique("said")).anchor(egui::Align2::CENTER_TOP, MESSAGE_PLACE);
         area.interactable(false).show(ctx, |ui| {
-            egui::Frame::window(ui.style()).show(ui, |ui| ui.label(&message.text));
+            ui.set_max_width((free.width() - 24.0).clamp(80.0, MAX_WIDTH_POINTS));
+            let label = egui::Label::new(&message.text).wrap();
+            egui::Frame::window(ui.style()).show(ui, |ui| ui.add(label));
         });
+    }
+
+    /// The part of the window in which messages appear: the sea that neither a panel nor a hint at its lower edge
+    /// covers.
+    fn part_for_messages(&self, ctx: &egui::Context) -> egui::Rect {
+        let has_panel = self.params.screen.interface == Interface::Panel;
+        let mut free = if has_panel { panel::free_part(self, ctx) } else { ctx.content_rect() };
+        let hint = ctx.memory(|m| m.area_rect(egui::Id::unique("first steps")));
+        if let Some(hint) = hint.filter(|hint| self.visitor.first_steps.is_shown() && hint.top() > free.center().y) {
+            free.set_bottom(hint.top().min(free.bottom()));
+        }
+        free.shrink(MARGIN_POINTS)
+    }
+
+    /// The area called `name` of a message: at the lower edge of the sea, away from the sea in words; without the panel
+    /// at the upper edge, away from captions.
+    fn area(&self, name: &'static str, ctx: &egui::Context) -> egui::Area {
+        let area = egui::Area::new(egui::Id::unique(name)).order(egui::Order::Foreground);
+        let has_panel = self.params.screen.interface == Interface::Panel;
+        let side = if has_panel { egui::Align2::CENTER_BOTTOM } else { egui::Align2::CENTER_TOP };
+        area.anchor(side, egui::Vec2::ZERO).constrain_to(self.part_for_messages(ctx))
     }
 }

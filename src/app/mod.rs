@@ -68,7 +68,7 @@ pub struct App {
     params: Params,
     /// Messages about parts of a state string or of a file that could not be used. The panel shows them.
     notices: Vec<String>,
-    /// Sentences about the file that was opened last, such as its name and size. The panel shows them in a neutral colour.
+    /// Sentences about the file that was opened last, such as name and size. The panel shows them in a neutral colour.
     news: Vec<String>,
     /// Whether the next frame makes the foam anew, because another sea was opened: that of the old one does not fit.
     restarts_foam: bool,
@@ -77,6 +77,9 @@ pub struct App {
     ctx: egui::Context,
     gpu_errors: GpuErrors,
     frames: u64,
+    /// Files that stand for the user's choice in the system's dialog, which is then not opened.
+    #[cfg(not(target_arch = "wasm32"))]
+    chosen_files: Option<Vec<std::path::PathBuf>>,
     /// Contents of files that the user opens. They arrive when reading has finished.
     opened_files: tasks::Inbox<opened_files::OpenedFiles>,
     panel: panel::Panel,
@@ -91,8 +94,7 @@ pub struct App {
     /// Factor on egui's text and controls that was set last.
     text_size: f32,
     message: Option<message::Message>,
-    /// Camera, with the time of a stopped clock, as it was last rounded to a link's digits or opened from a link. It is
-    /// rounded again only after a change.
+    /// Camera, with the time of a stopped clock, as last rounded to a link's digits; rounded again after a change.
     rounded_pose: Option<rounding::CameraAndPausedTime>,
     /// Parameters of the last drawn picture, and its width and height in pixels; `None` before the first one.
     drawn: Option<(Params, [u32; 2])>,
@@ -165,8 +167,10 @@ impl App {
             ctx: cc.egui_ctx.clone(),
             gpu_errors,
             frames: 0,
+            #[cfg(not(target_arch = "wasm32"))]
+            chosen_files: None,
             opened_files: tasks::Inbox::default(),
-            panel: panel::Panel::load(),
+            panel: panel::Panel::default(),
             own_seas,
             history: history::History::default(),
             quality,

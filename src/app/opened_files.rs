@@ -3,7 +3,7 @@
 
 #[cfg(target_arch = "wasm32")]
 use super::tasks;
-use super::{App, tasks::Inbox};
+use super::{App, notices, tasks::Inbox};
 use crate::app::language::{say, text, tr};
 use crate::files::measured::{MAX_FILES_PER_SPECTRUM, MeasuredSpectrum};
 use crate::files::panorama::{self, Panorama};
@@ -107,20 +107,45 @@ impl App {
     pub(super) fn take_opened_files(&mut self, ctx: &egui::Context) {
         let handles = ctx.input(|i| i.raw.dropped_files.clone());
         if handles.len() > MAX_FILES_PER_SPECTRUM {
-            self.notices = vec![too_many_files(handles.len())];
+            self.refuse(too_many_files(handles.len()));
         } else if !handles.is_empty() {
             read_dropped_files(&self.opened_files, &handles, ctx);
         }
         let Some(files) = self.opened_files.take().pop() else { return };
         match files {
             Ok(files) => self.open_or_notify(&files),
-            Err(reason) => self.notices = vec![reason],
+            Err(reason) => self.refuse(reason),
         }
+    }
+
+    /// Says over the sea that a file was opened, and keeps `details` of it in the panel.
+    pub(super) fn tell_opened(&mut self, message: &str, details: String) {
+        self.news = vec![details];
+        self.show_brief_message(message);
+    }
+
+    /// Says over the sea, and in the panel, why a file was not opened.
+    fn refuse(&mut self, reason: String) {
+        self.show_brief_message(&notices::translate(&reason));
+        self.notices = vec![reason];
+    }
+
+    /// Takes the files at `paths` as the user's choice whenever a dialog would ask for one: a test cannot answer the
+    /// system's dialog. An empty list stands for a dialog that was closed.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn answer_file_dialogs(&mut self, paths: Vec<std::path::PathBuf>) {
+        self.chosen_files = Some(paths);
     }
 
     /// Lets the user choose files to open, with the system's dialog. They are opened when they have been read.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn choose_files(&self) {
+        if let Some(paths) = &self.chosen_files {
+            if !paths.is_empty() {
+                self.opened_files.put(input::read_all(paths), &self.ctx);
+            }
+            return;
+        }
         let dialog = rfd::AsyncFileDialog::new()
             .set_title("Open a sky, a coast, a spectrum, a picture or seas")
             .add_filter("Skies, coasts, spectra, pictures and seas", &USUAL_EXTENSIONS)
@@ -147,7 +172,7 @@ impl App {
     #[cfg(target_arch = "wasm32")]
     pub(super) fn open_chosen(&mut self, files: Vec<web_sys::File>) {
         if files.len() > MAX_FILES_PER_SPECTRUM {
-            self.notices = vec![too_many_files(files.len())];
+            self.refuse(too_many_files(files.len()));
         } else {
             read_web_files(&self.opened_files, files, &self.ctx);
         }
@@ -164,13 +189,13 @@ impl App {
     pub(super) fn open_sample_sky(&mut self) {
         match sample_sky() {
             Ok(file) => self.use_sky_file(file),
-            Err(reason) => self.notices = vec![reason],
+            Err(reason) => self.refuse(reason),
         }
     }
 
     fn open_or_notify(&mut self, files: &[(String, Vec<u8>)]) {
         if let Err(reason) = self.open_files(files) {
-            self.notices = vec![reason];
+            self.refuse(reason);
         }
     }
 
@@ -219,17 +244,18 @@ impl App {
     }
 
     /// Makes an opened image the sky of the sea, and shows its size (pixels) and the elevation of its sun in the
-    /// notices. A `file` whose image is not loaded changes nothing.
+    /// panel. A `file` whose image is not loaded changes nothing.
     fn use_sky_file(&mut self, file: SkyFile) {
         let Some(panorama) = &file.image else { return };
         let size = format!("{}: {} x {}", file.name, panorama.width, panorama.height);
-        self.news = vec![match &panorama.sun {
+        let details = match &panorama.sun {
             Some(sun) => {
                 let degrees = format!("{:.0}", sun.elevation_deg);
                 say!("{size}, sun {degrees}° high", size = size, degrees = degrees)
             }
             None => size,
-        }];
+        };
+        self.tell_opened(&say!("{name} is the sky now.", name = file.name), details);
         self.notices.clone_from(&panorama.notices);
         self.params.look.sky.file = Some(file.clone());
         self.sky = Some(file);

@@ -3,7 +3,7 @@
 use super::{App, storage, tasks};
 use crate::app::language::{say, tr};
 use crate::ocean::{Ocean, maps_file};
-use crate::state::params::Interface;
+use crate::state::params::{Interface, SpectrumKind};
 use crate::state::{query, rounding::with_rounded_pose};
 use crate::waves::{Plan, beaufort};
 
@@ -24,7 +24,11 @@ impl App {
     pub(super) fn sea_in_words(&self) -> String {
         let force = beaufort::beaufort_number(self.params.sea.first_system().wind_m_s);
         let height = self.length_scale().format(self.derived.theoretical_statistics.hs_m, 1);
-        let sea = say!("Force {force} sea, waves {height} high", force = force, height = height);
+        let sea = if self.has_measured_waves() {
+            say!("Measured waves, {height} high", height = height)
+        } else {
+            say!("Force {force} sea, waves {height} high", force = force, height = height)
+        };
         match self.coast_in_words() {
             Some(coast) => say!("{sea}, coast: {coast}", sea = sea, coast = coast),
             None => sea,
@@ -35,7 +39,14 @@ impl App {
     #[cfg(target_arch = "wasm32")]
     pub(super) fn tab_title(&self) -> String {
         let force = beaufort::beaufort_number(self.params.sea.first_system().wind_m_s);
-        format!("Force {force}, {}: Seastate", self.length_scale().format(self.derived.theoretical_statistics.hs_m, 1))
+        let sea = if self.has_measured_waves() { tr("Measured waves").to_owned() } else { format!("Force {force}") };
+        format!("{sea}, {}: Seastate", self.length_scale().format(self.derived.theoretical_statistics.hs_m, 1))
+    }
+
+    /// Whether the waves are those of an opened spectrum, and not made by the wind of the parameters.
+    pub(super) fn has_measured_waves(&self) -> bool {
+        let sea = &self.params.sea;
+        sea.first_system().spectrum == SpectrumKind::Measured && sea.measured.is_some()
     }
 
     /// Copies the link to the current sea to the clipboard.
@@ -96,7 +107,9 @@ impl App {
         let reading = query::parse_with_keys(text);
         if reading.keys_taken.is_empty() && !reading.notices.is_empty() {
             self.notices = reading.notices;
-            self.notices.push(tr("that is no sea: this one stays").to_owned());
+            let reason = tr("that is no sea: this one stays");
+            self.notices.push(reason.to_owned());
+            self.show_brief_message(reason);
             return;
         }
         self.set_state(text);

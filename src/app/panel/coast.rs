@@ -62,10 +62,7 @@ pub fn show_coast(app: &mut App, ui: &mut egui::Ui) {
         list.response.labelled_by(label.id);
     });
     if chosen != now {
-        match chosen {
-            CoastName::File if !app.has_coast_file() => app.choose_files(),
-            _ => app.choose_coast(chosen),
-        }
+        app.choose_coast(chosen);
     }
     match (&app.params.coast.file, BuiltInCoast::find(now.word())) {
         (Some(file), _) => drop(ui.weak(&file.0.name)),

@@ -23,13 +23,14 @@ mod view;
 mod weather;
 
 use super::accessible_names::with_accessible_name;
+use super::opened_files::OPENABLE_FILES;
 use super::saved_picture::PictureChoice;
 use super::{App, icons, notices};
 use crate::app::language::tr;
 use crate::files::measured::SpectrumList;
 use crate::state::fields::Group;
 
-pub use place::free_part;
+pub use place::{Place, free_part};
 pub use seas::OwnSeas;
 pub use sheet::show_bottom_sheet;
 #[cfg(target_arch = "wasm32")]
@@ -51,7 +52,9 @@ const SHORT_WINDOW_POINTS: f32 = 480.0;
 /// Least height of the part of the panel that scrolls, points.
 const MIN_SCROLL_POINTS: f32 = 40.0;
 /// Number of buttons of the most frequent actions.
-const ACTION_COUNT: f32 = 6.0;
+const ACTION_COUNT: f32 = 7.0;
+/// Distance of these buttons, points: narrow, so that seven of them are wide enough for fingers on a narrow phone.
+const ACTION_GAP_POINTS: f32 = 4.0;
 /// Largest number of characters that the panel's search field accepts.
 const MAX_TEXT_CHARS: usize = 100;
 
@@ -121,18 +124,15 @@ pub struct Panel {
     coast_map: Option<coast_map::MapPicture>,
     /// The sheet of a narrow window.
     pub sheet: sheet::Sheet,
-    /// Place and width of the panel of a wide window.
-    place: place::Place,
+    /// Distance by which the panel of a wide window has been dragged away from its edge, points; 0 at rest.
+    dragged_points: f32,
+    /// Whether the next frame shows the times of a frame in the tab of study.
+    shows_frame_times: bool,
     /// The part of the window in which the sea was drawn last, points.
     pub sea: Option<egui::Rect>,
 }
 
 impl Panel {
-    /// A panel at the place where the user has left it.
-    pub fn load() -> Self {
-        Self { place: place::Place::load(), ..Self::default() }
-    }
-
     fn open_tab(&self, is_narrow: bool) -> Option<Tab> {
         if self.tab_was_chosen { self.tab } else { (!is_narrow).then_some(Tab::Weather) }
     }
@@ -199,15 +199,15 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
         return;
     }
     let screen = ctx.content_rect();
-    let (corner, distance) = app.panel.place.anchor();
+    let place = app.visitor.preferences.panel.clone();
     let window = egui::Window::new(tr("Seastate"))
         .id(egui::Id::unique("panel"))
         .title_bar(false)
         .auto_sized()
-        .anchor(corner, distance)
+        .anchor(place.corner(), egui::vec2(app.panel.dragged_points, 0.0))
         .constrain_to(screen.shrink(place::MARGIN_POINTS));
     touch::note(ctx);
-    let width = app.panel.place.width(screen.width());
+    let width = place.width(screen.width());
     window.show(ctx, |ui| {
         ui.set_width(width);
         if touch::is_used(ctx) {
@@ -316,11 +316,11 @@ fn text_field<T>(
     .inner
 }
 
-/// Adds the buttons of the most frequent actions: time, undo, redo, reset, another sea and help.
+/// Adds the buttons of the most frequent actions: time, undo, redo, reset, another sea, opening a file, and help.
 fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
     let total_width = ui.available_width();
     let action = |ui: &mut egui::Ui, enabled: bool, icon: &str, name: &str, help: &str| {
-        let gaps = ui.spacing().item_spacing.x * (ACTION_COUNT - 1.0);
+        let gaps = ACTION_GAP_POINTS * (ACTION_COUNT - 1.0);
         let most = if is_narrow(ui.ctx()) { 80.0 } else { 40.0 };
         let width = ((total_width - gaps) / ACTION_COUNT).min(most);
         let size = egui::vec2(width, ui.spacing().interact_size.y.max(28.0));
@@ -329,6 +329,7 @@ fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
         with_accessible_name(ui.add_enabled(enabled, button).on_hover_text(help), name).clicked()
     };
     ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = ACTION_GAP_POINTS;
         let clock = &mut app.params.clock;
         let (icon, name) = if clock.paused { (icons::PLAY, tr("Play")) } else { (icons::PAUSE, tr("Pause")) };
         if action(ui, true, icon, name, tr("Stops and starts the time (Space).")) {
@@ -351,6 +352,9 @@ fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
         if action(ui, true, icons::SURPRISE, tr("Surprise me"), tr("A random named sea.")) {
             app.open_random_preset();
         }
+        if action(ui, true, icons::OPEN, tr("Open a file"), tr(OPENABLE_FILES)) {
+            app.choose_files();
+        }
         if action(ui, true, icons::HELP, tr("Keys and gestures"), tr("Keys and gestures (F1).")) {
             app.help_is_open = !app.help_is_open;
         }
@@ -363,7 +367,11 @@ fn show_notices(app: &App, ui: &mut egui::Ui) {
     }
     let missing = app.params.look.sky.missing_file_notice();
     let of_coast = app.coast_notices();
-    for text in app.notices.iter().chain(&app.derived.plan.notices).chain(&missing).chain(&of_coast) {
+    // What the plan of the waves says explains the sea. Nobody has done anything wrong.
+    for text in &app.derived.plan.notices {
+        ui.weak(notices::translate(text));
+    }
+    for text in app.notices.iter().chain(&missing).chain(&of_coast) {
         ui.colored_label(egui::Color32::from_rgb(240, 200, 110), notices::translate(text));
     }
     for text in app.errors() {

@@ -1,7 +1,10 @@
 //! Read-outs of the panel: statistics of the sea by theory and as measured, times of the GPU passes, and the device.
 
-use super::super::App;
+use super::super::{App, notices};
 use crate::app::language::{local_number, say, tr};
+
+/// Least width of the panel's contents in which two of the main statistics stand beside each other, points.
+const LEAST_WIDTH_OF_TWO_POINTS: f32 = 300.0;
 
 /// Shows the main statistics of the sea by theory: significant wave height, periods, wavelength, direction and spread.
 pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
@@ -14,15 +17,21 @@ pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
     let from_help = tr("Mean direction that the waves come from, clockwise from north.");
     let spread_help = tr("Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.");
     let rows = [
-        (tr("Hs"), length_scale.format(t.hs_m, 2), hs_help),
-        (tr("Tp"), format!("{:.1} s", t.tp_s), tr("Period of the peak of the spectrum.")),
+        (tr("Height Hs"), length_scale.format(t.hs_m, 2), hs_help),
+        (tr("Period Tp"), local_number(format!("{:.1} s", t.tp_s)), tr("Period of the peak of the spectrum.")),
         (tr("Length"), length_scale.format(t.lambda_p_m, 0), tr("Wavelength of the peak.")),
-        (tr("Tz"), format!("{:.1} s", t.tm02_s), tr("Mean zero-crossing period, 2 pi sqrt(m0 / m2).")),
+        (
+            tr("Mean period Tz"),
+            local_number(format!("{:.1} s", t.tm02_s)),
+            tr("Mean zero-crossing period, 2 pi sqrt(m0 / m2)."),
+        ),
         (tr("From"), from, from_help),
         (tr("Spread"), format!("{:.0}°", t.spread_deg), spread_help),
     ];
-    egui::Grid::new("read-outs").num_columns(4).show(ui, |ui| {
-        for pair in rows.chunks(2) {
+    // In a narrow window with large letters two of them have no room in a line.
+    let in_line = if ui.available_width() < LEAST_WIDTH_OF_TWO_POINTS { 1 } else { 2 };
+    egui::Grid::new("read-outs").num_columns(2 * in_line).show(ui, |ui| {
+        for pair in rows.chunks(in_line) {
             for (label, text, help) in pair {
                 ui.weak(*label).on_hover_text(*help);
                 ui.strong(text).on_hover_text(*help);
@@ -88,11 +97,27 @@ pub fn show_all_statistics(app: &App, ui: &mut egui::Ui) {
             if readings == 1 { tr("one moment").to_owned() } else { say!("{readings} moments", readings = readings) };
         ui.weak(say!("Measured: mean of {moments}.", moments = moments));
     }
+    if let Some(note) = &app.derived.plan.resolution_note {
+        ui.weak(notices::translate(note));
+    }
 }
 
-/// Shows the time of a frame: the CPU time of recording it, and the GPU time of each pass.
+/// The points of the waves' grids and the pixels of the picture, and what a slow machine leaves out, in words.
+pub fn picture_in_words(app: &App) -> String {
+    let ([width, height], n) = (app.picture_size(), app.params_to_draw().grid.n);
+    let pixels = say!("{n} x {n} points, {width} x {height} pixels", n = n, width = width, height = height);
+    let reduction = app.quality.reduction_in_words(&app.params.grid, &app.params.screen);
+    let quality = reduction.unwrap_or_else(|| say!("Picture: {quality}.", quality = app.quality.describe()));
+    format!("{pixels}\n{quality}")
+}
+
+/// Shows the time of a frame: what is drawn, the CPU time of recording it, and the GPU time of each pass.
 pub fn show_frame_times(app: &App, ui: &mut egui::Ui) {
     app.visible_readouts.pass_times.set(true);
+    ui.label(picture_in_words(app)).on_hover_text(tr(
+        "Points of the waves' grids (FFT size n), and pixels of the picture that are computed. A slow machine draws \
+         fewer; a stopped sea has all.",
+    ));
     ui.label(say!(
         "Recording a frame: {ms} ms of the CPU",
         ms = local_number(format!("{:.2}", app.frame_measurements.recording_time_ms()))

@@ -1,7 +1,7 @@
 //! Place and width of the panel of a wide window: at the right or the left edge, as wide as the user has dragged it. Both
 //! are kept for the next visit.
 
-use super::super::{App, storage};
+use super::super::App;
 use super::handle::Handle;
 use super::{PANEL_WIDTH_POINTS, is_narrow, touch};
 use crate::app::language::tr;
@@ -20,47 +20,38 @@ const HANDLE_POINTS: f32 = 12.0;
 /// Width by which one press of an arrow key changes the panel, points.
 const WIDTH_STEP_POINTS: f32 = 20.0;
 
-/// Place and width of the panel of a wide window.
+/// Place and width of the panel of a wide window, a preference of the visitor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
     is_left: bool,
     /// Width of the contents that the user has chosen, points. A small window shows less.
     width_points: f32,
-    /// Distance by which the panel has been dragged away from its edge, points; 0 if it is not dragged.
-    dragged_points: f32,
 }
 
 impl Default for Place {
     fn default() -> Self {
-        Self { is_left: false, width_points: PANEL_WIDTH_POINTS, dragged_points: 0.0 }
+        Self { is_left: false, width_points: PANEL_WIDTH_POINTS }
     }
 }
 
 impl Place {
-    /// Loads the place from storage; the usual one if nothing, or something else, is stored there.
-    pub fn load() -> Self {
-        Self::parse(&storage::load_panel_place())
-    }
-
-    /// Reads a text as [`Self::text`] writes it. What cannot be read has its usual value.
-    fn parse(text: &str) -> Self {
-        let mut place = Self::default();
-        for word in text.split_whitespace().take(2) {
-            match word.split_once('=') {
-                Some(("side", side)) => place.is_left = side == "left",
-                Some(("width", width)) => {
-                    let [least, most] = WIDTH_RANGE_POINTS;
-                    let width = width.parse().ok().filter(|w: &f32| w.is_finite());
-                    place.width_points = width.map_or(PANEL_WIDTH_POINTS, |w| w.clamp(least, most));
-                }
-                _ => {}
+    /// Takes a value of the stored preferences, as [`Self::text`] writes it. What cannot be read gives the usual value;
+    /// the key of another preference changes nothing.
+    pub fn read(&mut self, key: &str, value: &str) {
+        match key {
+            "side" => self.is_left = value == "left",
+            "width" => {
+                let [least, most] = WIDTH_RANGE_POINTS;
+                let width = value.parse().ok().filter(|w: &f32| w.is_finite());
+                self.width_points = width.map_or(PANEL_WIDTH_POINTS, |w| w.clamp(least, most));
             }
+            _ => {}
         }
-        place
     }
 
-    fn text(&self) -> String {
-        format!("side={} width={}", if self.is_left { "left" } else { "right" }, self.width_points.round())
+    /// The place as lines of the stored preferences.
+    pub fn text(&self) -> String {
+        format!("side={}\nwidth={}\n", if self.is_left { "left" } else { "right" }, self.width_points.round())
     }
 
     /// Width of the panel's contents in a window whose usable part is `window` points wide.
@@ -68,10 +59,9 @@ impl Place {
         self.width_points.min((window - LEAST_FREE_POINTS).max(WIDTH_RANGE_POINTS[0]))
     }
 
-    /// Corner of the window at which the panel is, and its distance from there.
-    pub fn anchor(&self) -> (egui::Align2, egui::Vec2) {
-        let corner = if self.is_left { egui::Align2::LEFT_TOP } else { egui::Align2::RIGHT_TOP };
-        (corner, egui::vec2(self.dragged_points, 0.0))
+    /// Corner of the window at which the panel is.
+    pub fn corner(&self) -> egui::Align2 {
+        if self.is_left { egui::Align2::LEFT_TOP } else { egui::Align2::RIGHT_TOP }
     }
 
     /// The part of the usable window `content` that the panel leaves free.
@@ -91,7 +81,7 @@ pub fn free_part(app: &App, ctx: &egui::Context) -> egui::Rect {
     if is_narrow(ctx) {
         content.intersect(app.panel.sea.unwrap_or(content))
     } else {
-        app.panel.place.free_part(content)
+        app.visitor.preferences.panel.free_part(content)
     }
 }
 
@@ -102,7 +92,7 @@ pub fn show_grip(app: &mut App, ui: &mut egui::Ui) {
     let handle = Handle {
         name: tr("Side of the panel"),
         help: tr("Drag, or press the arrow keys: the panel at the left or the right. A double click puts it back."),
-        value: f64::from(u8::from(!app.panel.place.is_left)),
+        value: f64::from(u8::from(!app.visitor.preferences.panel.is_left)),
         range: [0.0, 1.0],
         step: 1.0,
         keys: [Key::ArrowLeft, Key::ArrowRight],
@@ -110,13 +100,13 @@ pub fn show_grip(app: &mut App, ui: &mut egui::Ui) {
         cursor: egui::CursorIcon::Grab,
     };
     let (response, chosen) = handle.show(ui, rect, egui::Id::unique("side of the panel"));
-    let place = &mut app.panel.place;
+    let place = &mut app.visitor.preferences.panel;
     let before = place.clone();
     if response.dragged() {
-        place.dragged_points += response.drag_delta().x;
+        app.panel.dragged_points += response.drag_delta().x;
         return;
     }
-    if std::mem::take(&mut place.dragged_points) != 0.0 {
+    if std::mem::take(&mut app.panel.dragged_points) != 0.0 {
         place.is_left = rect.center().x < ui.ctx().content_rect().center().x;
     }
     if let Some(side) = chosen {
@@ -126,20 +116,20 @@ pub fn show_grip(app: &mut App, ui: &mut egui::Ui) {
         *place = Place::default();
     }
     if response.drag_stopped() || *place != before {
-        store(app);
+        app.store_preferences();
     }
 }
 
 /// Adds the handle at the inner edge of the panel, which changes its width. Call it after the panel's contents.
 pub fn show_edge(app: &mut App, ui: &mut egui::Ui) {
     let content = ui.ctx().content_rect();
-    let (panel, is_left) = (ui.min_rect(), app.panel.place.is_left);
+    let (panel, is_left) = (ui.min_rect(), app.visitor.preferences.panel.is_left);
     // In the margin of the window, so that the bar covers no text.
     let out = 0.5 * ui.style().spacing.window_margin.leftf();
     ui.set_clip_rect(ui.clip_rect().expand(2.0 * out));
     let x = if is_left { panel.right() + out } else { panel.left() - out };
     let rect = egui::Rect::from_center_size(egui::pos2(x, panel.center().y), egui::vec2(HANDLE_POINTS, panel.height()));
-    let width = app.panel.place.width(content.width());
+    let width = app.visitor.preferences.panel.width(content.width());
     let most = (content.width() - LEAST_FREE_POINTS).clamp(WIDTH_RANGE_POINTS[0], WIDTH_RANGE_POINTS[1]);
     let handle = Handle {
         name: tr("Width of the panel"),
@@ -152,7 +142,7 @@ pub fn show_edge(app: &mut App, ui: &mut egui::Ui) {
         cursor: egui::CursorIcon::ResizeHorizontal,
     };
     let (response, chosen) = handle.show(ui, rect, egui::Id::unique("width of the panel"));
-    let place = &mut app.panel.place;
+    let place = &mut app.visitor.preferences.panel;
     let before = place.clone();
     if let Some(chosen) = chosen {
         place.width_points = chosen as f32;
@@ -167,13 +157,7 @@ pub fn show_edge(app: &mut App, ui: &mut egui::Ui) {
     }
     // A drag is stored at its end.
     if response.drag_stopped() || *place != before {
-        store(app);
-    }
-}
-
-fn store(app: &mut App) {
-    if let Err(reason) = storage::store_panel_place(app.save_folder.as_deref(), &app.panel.place.text()) {
-        app.notices.push(reason);
+        app.store_preferences();
     }
 }
 
@@ -182,13 +166,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stored_place_is_read_again_and_what_is_damaged_is_usual() {
-        let place = Place { is_left: true, width_points: 500.0, dragged_points: 0.0 };
-        assert_eq!(Place::parse(&place.text()), place);
-        for damaged in ["", "width", "width=NaN side=?", "side=right width=x", "\u{0}\u{0}"] {
-            assert_eq!(Place::parse(damaged), Place::default(), "{damaged:?}");
+    fn what_is_damaged_is_usual() {
+        let place = Place { is_left: true, width_points: 500.0 };
+        for (key, value) in [("width", "NaN"), ("width", ""), ("width", "x"), ("side", "?")] {
+            let mut read = place.clone();
+            read.read(key, value);
+            let usual = Place::default();
+            let is_usual = if key == "side" { !read.is_left } else { read.width_points == usual.width_points };
+            assert!(is_usual, "{key}={value}: {read:?}");
         }
-        assert_eq!(Place::parse("width=9999").width_points, WIDTH_RANGE_POINTS[1]);
+        let mut read = place.clone();
+        read.read("slow-camera", "0");
+        assert_eq!(read, place);
+        read.read("width", "9999");
+        assert_eq!(read.width_points, WIDTH_RANGE_POINTS[1]);
     }
 
     #[test]
@@ -197,7 +188,7 @@ mod tests {
             let content = egui::Rect::from_min_size(egui::pos2(40.0, 0.0), egui::vec2(window, 400.0));
             for is_left in [false, true] {
                 for width_points in [320.0, 366.0, 720.0] {
-                    let place = Place { is_left, width_points, dragged_points: 0.0 };
+                    let place = Place { is_left, width_points };
                     let free = place.free_part(content);
                     assert!(free.width() >= LEAST_FREE_POINTS - FRAME_POINTS - MARGIN_POINTS, "{window} {place:?}");
                     assert!(content.contains_rect(free), "{window} {place:?}");

@@ -17,6 +17,7 @@ pub fn show_share_buttons(app: &mut App, ui: &mut egui::Ui) {
     show_film(app, ui);
     ui.separator();
     ui.strong(tr("Open"));
+    show_link_field(app, ui);
     show_open_buttons(app, ui);
     ui.separator();
     show_embedding(app, ui);
@@ -54,6 +55,10 @@ fn show_links(app: &mut App, ui: &mut egui::Ui) {
     });
     ui.weak(format!("\u{201c}{}: …\u{201d}", app.sea_in_words()));
     ui.label(tr("The address of the page is always the whole sea: send it, bookmark it, go back and forward."));
+}
+
+/// Adds the field into which a link is pasted to open it.
+fn show_link_field(app: &mut App, ui: &mut egui::Ui) {
     ui.horizontal(|ui| {
         let hint = (tr("paste an address here"), crate::files::MAX_STATE_BYTES);
         let (field, pressed) =

@@ -16,7 +16,7 @@ impl App {
         let spectrum = list.records[used].spectrum.clone();
         let (title, bands) = (list.title(used), spectrum.bands().len());
         let height = local_number(format!("{:.2}", spectrum.hs_m()));
-        self.news = vec![match spectrum.directional_table().map(|table| table.direction_count()) {
+        let details = match spectrum.directional_table().map(|table| table.direction_count()) {
             Some(directions) => say!(
                 "{title}: {bands} bands x {directions} directions, Hs {height} m",
                 title = title,
@@ -25,7 +25,8 @@ impl App {
                 height = height
             ),
             None => say!("{title}: {bands} bands, Hs {height} m", title = title, bands = bands, height = height),
-        }];
+        };
+        self.tell_opened(&self.waves_of_file(&list.name, spectrum.hs_m()), details);
         self.notices = list.notices.iter().chain(&list.records[used].notices).cloned().collect();
         self.params.sea.set_measured_spectrum(spectrum);
         // A buoy measures all waves of its sea. Others would come on top.
@@ -38,6 +39,12 @@ impl App {
         } else {
             self.panel.spectra = None;
         }
+    }
+
+    /// Says that the sea has the waves of a file, or of one of its spectra, called `name`.
+    fn waves_of_file(&self, name: &str, hs_m: f64) -> String {
+        let height = self.length_scale().format(hs_m, 1);
+        say!("The sea has the waves of {name} now, {height} high.", name = name, height = height)
     }
 }
 
@@ -68,7 +75,8 @@ pub fn show_spectrum_list(app: &mut App, ui: &mut egui::Ui) {
     });
     if let Some(i) = chosen {
         let spectrum = list.records[i].spectrum.clone();
-        app.news = vec![format!("{}: Hs {:.2} m", list.title(i), spectrum.hs_m())];
+        let message = app.waves_of_file(&list.records[i].label, spectrum.hs_m());
+        app.tell_opened(&message, format!("{}: Hs {:.2} m", list.title(i), spectrum.hs_m()));
         app.notices.clone_from(&list.records[i].notices);
         app.params.sea.set_measured_spectrum(spectrum);
     }

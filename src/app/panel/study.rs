@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::super::accessible_names::with_accessible_name;
-use super::super::{notices, plots};
+use super::super::plots;
 use super::{MAX_TEXT_CHARS, coast, numbers, rows, seas, share, spectra, sun, systems, text_field};
 use crate::app::language::{say, tr};
 use crate::state::fields::{FIELDS, Field, Group};
@@ -10,16 +10,19 @@ use crate::state::fields::{FIELDS, Field, Group};
 /// Adds the widgets of the tab.
 pub fn show_study(app: &mut App, ui: &mut egui::Ui) {
     numbers::show_main_statistics(app, ui);
-    if let Some(note) = &app.derived.plan.resolution_note {
-        ui.weak(notices::translate(note));
-    }
     spectra::show_spectrum_list(app, ui);
+    egui::CollapsingHeader::new(tr("Spectrum and other plots")).show(ui, |ui| plots::show_all_plots(app, ui));
     egui::CollapsingHeader::new(tr("Open a spectrum or a sky")).show(ui, |ui| share::show_open_buttons(app, ui));
+    ui.separator();
     show_parameters(app, ui);
     ui.separator();
-    egui::CollapsingHeader::new(tr("Spectrum and other plots")).show(ui, |ui| plots::show_all_plots(app, ui));
     egui::CollapsingHeader::new(tr("More numbers")).show(ui, |ui| numbers::show_all_statistics(app, ui));
-    egui::CollapsingHeader::new(tr("Time of a frame")).show(ui, |ui| numbers::show_frame_times(app, ui));
+    let is_asked_for = std::mem::take(&mut app.panel.shows_frame_times);
+    let header = egui::CollapsingHeader::new(tr("Time of a frame")).open(is_asked_for.then_some(true));
+    let frame_times = header.show(ui, |ui| numbers::show_frame_times(app, ui));
+    if is_asked_for {
+        frame_times.header_response.scroll_to_me(Some(egui::Align::TOP));
+    }
     egui::CollapsingHeader::new(tr("This program")).show(ui, |ui| numbers::show_system_information(app, ui));
     ui.weak(format!("Seastate {}", crate::ocean::device_info::VERSION));
 }
@@ -30,7 +33,8 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
         let search = &mut app.panel.search;
         let searching = !search.is_empty();
         let (_, clears) = text_field(ui, tr("Search"), search, (tr("all parameters"), MAX_TEXT_CHARS), |ui| {
-            let clear = egui::Button::new("×").min_size(egui::Vec2::splat(ui.spacing().interact_size.y.max(24.0)));
+            let clear = egui::Button::new(egui::RichText::new("×").size(17.0))
+                .min_size(egui::Vec2::splat(ui.spacing().interact_size.y.max(24.0)));
             with_accessible_name(ui.add_enabled(searching, clear), tr("Clear the search")).clicked()
         });
         if clears {
@@ -69,6 +73,7 @@ fn show_parameters(app: &mut App, ui: &mut egui::Ui) {
             // A coast comes with the depth of its edge and a camera before its shore.
             let chosen = app.params.coast.name;
             if chosen != coast {
+                app.params.coast.name = coast;
                 app.choose_coast(chosen);
             }
             match group {

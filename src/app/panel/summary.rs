@@ -4,9 +4,8 @@ use super::super::App;
 use super::super::derived::SystemSize;
 use super::super::units::UnitScale;
 use super::weather::compass_point;
-use super::{Tab, free_part, has_room};
+use super::{Tab, free_part, has_room, numbers};
 use crate::app::language::{local_number, say, tr};
-use crate::state::params::SpectrumKind;
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// Largest width of the text, points.
@@ -14,15 +13,15 @@ const MAX_WIDTH_POINTS: f32 = 340.0;
 /// Distance of the text from the edges of what is free, points.
 const MARGIN_POINTS: f32 = 12.0;
 
-/// One line about the sea for screen readers, such as `Hs 2.4 m, Beaufort 5`: significant wave height and Beaufort
-/// number.
+/// One line about the sea for screen readers, such as `Beaufort 5: waves 2.4 m high and 60 m long, every 6 s`.
 #[cfg(target_arch = "wasm32")]
 pub fn sea_summary(app: &App) -> String {
-    let hs = app.length_scale().format(app.derived.theoretical_statistics.hs_m, 1);
-    {
-        let force = beaufort::beaufort_number(app.params.sea.first_system().wind_m_s);
-        say!("Hs {height}, Beaufort {force}", height = hs, force = force)
+    let waves = waves_in_words(app);
+    if app.has_measured_waves() {
+        return format!("{}: {waves}", tr("Measured waves"));
     }
+    let force = beaufort::beaufort_number(app.params.sea.first_system().wind_m_s);
+    say!("Beaufort {force}: {waves}", force = force, waves = waves)
 }
 
 /// How high and long the waves are; of each wave system, if there are several.
@@ -30,7 +29,7 @@ fn waves_in_words(app: &App) -> String {
     let (t, metres) = (&app.derived.theoretical_statistics, app.length_scale());
     let height = metres.format(t.hs_m, 1);
     let systems = &app.derived.systems;
-    if systems.len() < 2 {
+    if systems.is_empty() {
         return say!(
             "waves {height} high and {length} long, every {period} s",
             height = height,
@@ -78,56 +77,66 @@ pub fn show_summary(app: &mut App, ctx: &egui::Context) {
             ui.spacing_mut().item_spacing.y = 2.0;
             ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Wrap);
             ui.set_max_width((free.width() - 24.0).clamp(80.0, MAX_WIDTH_POINTS));
-            let wind_m_s = app.params.sea.first_system().wind_m_s;
-            let name = BEAUFORT_FORCES[beaufort::beaufort_number(wind_m_s)].name;
-            let white = |text: String, points: f32| egui::RichText::new(text).size(points).color(egui::Color32::WHITE);
-            let speed = UnitScale::for_unit("m/s", app.params.screen.units);
-            let from = compass_point(app.params.sea.first_system().from_deg);
-            let wind = if app.params.sea.first_system().spectrum == SpectrumKind::Measured {
-                tr("Measured waves").to_owned()
-            } else {
-                say!("{name}, {speed} from {from}", name = tr(name), speed = speed.format(wind_m_s, 1), from = tr(from))
-            };
-            let waves = waves_in_words(app);
-            let (ms, rate) = (app.quality.frame_ms(), app.quality.frames_per_second());
-            let keeps_up = say!(
-                "t = {time} s, {ms} ms a frame, {rate} frames/s",
-                time = format!("{:.0}", app.params.clock.t_s),
-                ms = local_number(format!("{ms:.1}")),
-                rate = format!("{rate:.0}")
-            );
-            let ([width, height], n) = (app.picture_size(), app.params_to_draw().grid.n);
-            let pixels = say!("{n} x {n} points, {width} x {height} pixels", n = n, width = width, height = height);
-            let quality = app.quality.describe();
-            let reduction = app.quality.reduction_in_words(&app.params.grid, &app.params.screen);
-            let progress = app.coast_progress();
-            let mut line = |ui: &mut egui::Ui, text: egui::RichText, help: &str, tab: Tab| {
-                let label = egui::Label::new(text).sense(egui::Sense::click());
-                let label = ui.add(label).on_hover_text(help).on_hover_cursor(egui::CursorIcon::PointingHand);
-                if label.clicked() {
-                    app.panel.open(tab);
+            for line in lines(app) {
+                let text = egui::RichText::new(line.text).size(line.points).color(egui::Color32::WHITE);
+                let label = ui.add(egui::Label::new(text).sense(egui::Sense::click()));
+                if label.on_hover_text(line.help).on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
+                    app.panel.open(line.tab);
+                    app.panel.shows_frame_times = line.is_about_frames;
                 }
-            };
-            line(
-                ui,
-                white(wind, 18.0),
-                tr("Wind speed 10 m above the sea, and the name of its Beaufort force."),
-                Tab::Weather,
-            );
-            let help = tr("Significant wave height Hs, the mean of the highest third, and period Tp of the peak.");
-            line(ui, white(waves, 14.0), help, Tab::Study);
-            line(ui, white(keeps_up, 12.0), &say!("Simulated time. Picture: {quality}.", quality = quality), Tab::View);
-            if let Some(progress) = progress {
-                let help =
-                    tr("The depths near the coast turn, grow and break the waves. Until then the open sea is shown.");
-                line(ui, white(progress, 12.0), help, Tab::Weather);
-            }
-            let quiet = |text: String| egui::RichText::new(text).size(11.0).color(egui::Color32::from_gray(220));
-            let help = tr("Points of the waves' grids (FFT size n), and pixels of the picture that are computed.");
-            line(ui, quiet(pixels), help, Tab::Study);
-            if let Some(reduction) = reduction {
-                line(ui, quiet(reduction), tr("A slow machine draws fewer pixels; a stopped sea has all."), Tab::Study);
             }
         });
     });
+}
+
+/// A line of the text over the sea.
+struct SummaryLine {
+    text: String,
+    /// Size of the letters, points.
+    points: f32,
+    help: String,
+    /// The tab that explains it.
+    tab: Tab,
+    is_about_frames: bool,
+}
+
+/// The lines of the text: wind, waves, time and frame rate, and how far a coast is. What concerns the machine stands in
+/// the tooltip of the frame rate and in the tab that a click on it opens.
+fn lines(app: &App) -> Vec<SummaryLine> {
+    let line = |text, points, help: String, tab| SummaryLine { text, points, help, tab, is_about_frames: false };
+    let (headline, about) = headline(app);
+    let help = tr("Significant wave height Hs, the mean of the highest third, and period Tp of the peak.");
+    let waves = line(waves_in_words(app), 14.0, help.to_owned(), Tab::Study);
+    let keeps_up = say!(
+        "t = {time} s, {ms} ms a frame, {rate} frames/s",
+        time = format!("{:.0}", app.params.clock.t_s),
+        ms = local_number(format!("{:.1}", app.quality.frame_ms())),
+        rate = format!("{:.0}", app.quality.frames_per_second())
+    );
+    let help = format!(
+        "{}\n{}",
+        tr("Simulated time, and how fast one picture follows another."),
+        numbers::picture_in_words(app)
+    );
+    let frames = SummaryLine { is_about_frames: true, ..line(keeps_up, 12.0, help, Tab::Study) };
+    let help = tr("The depths near the coast turn, grow and break the waves. Until then the open sea is shown.");
+    let coast = app.coast_progress().map(|progress| line(progress, 12.0, help.to_owned(), Tab::Weather));
+    [line(headline, 18.0, about.to_owned(), Tab::Weather), waves, frames].into_iter().chain(coast).collect()
+}
+
+/// The first line, about what makes the waves, and its explanation.
+fn headline(app: &App) -> (String, &'static str) {
+    if app.has_measured_waves() {
+        let about = tr(
+            "The waves of the spectrum that was opened: a buoy has measured them, or a wave model has computed them. The \
+             wind of the panel does not make them.",
+        );
+        return (tr("Measured waves").to_owned(), about);
+    }
+    let wind = app.params.sea.first_system();
+    let speed = UnitScale::for_unit("m/s", app.params.screen.units).format(wind.wind_m_s, 1);
+    let name = tr(BEAUFORT_FORCES[beaufort::beaufort_number(wind.wind_m_s)].name);
+    let from = tr(compass_point(wind.from_deg));
+    let text = say!("{name}, {speed} from {from}", name = name, speed = speed, from = from);
+    (text, tr("Wind speed 10 m above the sea, and the name of its Beaufort force."))
 }

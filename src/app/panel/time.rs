@@ -1,7 +1,7 @@
 //! Controls of the simulated time: stop, step, speed, slider and typed time.
 
-use super::super::App;
 use super::super::accessible_names::{with_accessible_name, with_accessible_value};
+use super::super::{App, icons};
 use super::{button_with_help, sun};
 use crate::app::language::tr;
 use crate::state::params::Clock;
@@ -16,24 +16,22 @@ const SLIDER_RANGE_S: f64 = 120.0;
 pub fn show_time_controls(app: &mut App, ui: &mut egui::Ui) {
     let loop_s = app.params.sea.repeat_period_s;
     let clock = &mut app.params.clock;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         if button_with_help(ui, if clock.paused { tr("Play") } else { tr("Pause") }, tr("Space")) {
             clock.paused = !clock.paused;
         }
-        if with_accessible_name(ui.button("|<"), tr("Back to time 0"))
-            .on_hover_text(tr("Back to time 0 (Home)"))
-            .clicked()
-        {
+        let icon = |ui: &mut egui::Ui, icon: &str, name: &str, help: &str| {
+            let width = ui.spacing().interact_size.y.max(28.0);
+            let button = egui::Button::new(egui::RichText::new(icon).size(16.0)).min_size(egui::vec2(width, 0.0));
+            with_accessible_name(ui.add(button).on_hover_text(help), name).clicked()
+        };
+        if icon(ui, icons::TO_START, tr("Back to time 0"), tr("Back to time 0 (Home)")) {
             clock.t_s = 0.0;
         }
-        if with_accessible_name(ui.button("<"), tr("One frame back")).on_hover_text(tr("One frame back (,)")).clicked()
-        {
+        if icon(ui, icons::STEP_BACK, tr("One frame back"), tr("One frame back (,)")) {
             step_clock(clock, -1.0);
         }
-        if with_accessible_name(ui.button(">"), tr("One frame forward"))
-            .on_hover_text(tr("One frame forward (.)"))
-            .clicked()
-        {
+        if icon(ui, icons::STEP_FORWARD, tr("One frame forward"), tr("One frame forward (.)")) {
             step_clock(clock, 1.0);
         }
         let speed = egui::DragValue::new(&mut clock.speed)

@@ -63,7 +63,13 @@ fn show_floating_objects(app: &mut App, ui: &mut egui::Ui) {
             let side =
                 |x: f64, words: [&str; 2]| format!("{} {}", metres.format(x.abs(), 0), words[usize::from(x < 0.0)]);
             let (east, south) = (side(east, [tr("east"), tr("west")]), side(south, [tr("south"), tr("north")]));
-            ui.label(format!("{} at {east}, {south}: {}", float.kind.word(), metres.format(height, 2)));
+            ui.label(say!(
+                "{object} at {east}, {south}: {height}",
+                object = tr(float.kind.word()),
+                east = east,
+                south = south,
+                height = metres.format(height, 2)
+            ));
             let cross = ui.small_button("×").on_hover_text(tr("Lifts it out of the water."));
             if with_accessible_name(
                 cross,

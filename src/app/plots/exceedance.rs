@@ -2,11 +2,10 @@
 
 use super::super::App;
 use super::{PLOT_COLOURS, PlotTable, fixed_plot};
-use crate::app::language::tr;
+use crate::app::language::{local_number, say, tr};
 use crate::waves::crest_theory::{CrestTheory, EXCEEDANCE_COLUMNS, Weibull, exceedance_table};
 use crate::waves::crests::{Estimate, WaveRecordStatistics};
 use egui_plot::{GridMark, HoverPosition, Legend, Line, LineStyle, PlotPoints, Points};
-use std::fmt::Write as _;
 
 /// Lowest decimal logarithm of the probability of exceedance in the plot: a record of half an hour has a few hundred
 /// waves.
@@ -26,34 +25,40 @@ fn curve(law: Weibull, factor: f64) -> PlotPoints<'static> {
 /// Text about the shape of the record's heights and, as soon as there are two, the groups of its waves.
 fn shape_and_groups(record: &WaveRecordStatistics, theory: &CrestTheory) -> String {
     let ([skewness, kurtosis], groups) = ([record.moments.skewness, record.moments.kurtosis], &record.groups);
-    let with_error = |e: Estimate| format!("{:.2} ± {:.2}", e.value, e.standard_error);
-    let mut text = format!(
-        "{} waves; skewness {}, kurtosis {}",
-        record.crests.count(),
-        with_error(skewness),
-        with_error(kurtosis)
+    let with_error = |e: Estimate| local_number(format!("{:.2} ± {:.2}", e.value, e.standard_error));
+    let text = say!(
+        "{count} waves; skewness {skewness}, kurtosis {kurtosis}",
+        count = record.crests.count(),
+        skewness = with_error(skewness),
+        kurtosis = with_error(kurtosis)
     );
-    if groups.mean_repeat_length > 0.0 {
-        let _ = write!(
-            text,
-            "; waves above Hs in groups of {:.1}, a group every {:.0} waves (theory {:.1}, {:.0})",
-            groups.mean_run_length,
-            groups.mean_repeat_length,
-            theory.groups.mean_run_length,
-            theory.groups.mean_repeat_length,
-        );
+    if groups.mean_repeat_length <= 0.0 {
+        return text;
     }
-    text
+    let groups_in_words = say!(
+        "waves above Hs in groups of {length}, a group every {distance} waves (theory {theory_length}, \
+         {theory_distance})",
+        length = local_number(format!("{:.1}", groups.mean_run_length)),
+        distance = format!("{:.0}", groups.mean_repeat_length),
+        theory_length = local_number(format!("{:.1}", theory.groups.mean_run_length)),
+        theory_distance = format!("{:.0}", theory.groups.mean_repeat_length),
+    );
+    format!("{text}; {groups_in_words}")
+}
+
+/// A probability that a wave is higher, in words.
+fn one_wave_in(probability: f64) -> String {
+    say!("one wave in {count} is higher", count = format!("{:.0}", 1.0 / probability.clamp(1e-9, 1.0)))
 }
 
 /// Plots the exceedance of crests and heights in the record (at the first floating object or below the camera) with the
 /// distributions of Rayleigh, Forristall and Boccotti for the sea's spectrum. Returns the data as a table for a CSV file.
 pub fn show_exceedance_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let (record, theory, scale) = (app.record.waves(), app.derived.crest_theory(), app.length_scale());
-    ui.weak(format!(
-        "Probability that a crest or a wave height at {} is higher; {}",
-        app.record_label_and_position().0,
-        scale.unit
+    ui.weak(say!(
+        "Probability that a crest or a wave height at {place} is higher; {unit}",
+        place = app.record_label_and_position().0,
+        unit = scale.unit
     ));
     let plot = fixed_plot("exceedance")
         .legend(Legend::default().background_alpha(0.4))
@@ -62,10 +67,10 @@ pub fn show_exceedance_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
         .include_x(0.0)
         .label_formatter(|pointed| match pointed {
             HoverPosition::NearDataPoint { plot_name, position, .. } => Some(format!(
-                "{plot_name}\n{:.2} {}\nprobability {:.2e}",
-                position.x,
+                "{plot_name}\n{} {}\n{}",
+                local_number(format!("{:.2}", position.x)),
                 scale.unit,
-                10f64.powf(position.y)
+                one_wave_in(10f64.powf(position.y))
             )),
             HoverPosition::Elsewhere { .. } => None,
         })
@@ -82,7 +87,7 @@ pub fn show_exceedance_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
             plot.line(Line::new(name, curve(law, scale.factor)).color(PLOT_COLOURS[colour]).style(style));
         }
         let Some(record) = record else { return };
-        for (name, values, colour) in [("crests", &record.crests, 0), ("heights", &record.heights, 1)] {
+        for (name, values, colour) in [(tr("crests"), &record.crests, 0), (tr("heights"), &record.heights, 1)] {
             let points: PlotPoints<'_> =
                 values.points().into_iter().map(|[x, p]| [x * scale.factor, p.log10()]).collect();
             plot.points(Points::new(name, points).radius(1.8).color(PLOT_COLOURS[colour]));

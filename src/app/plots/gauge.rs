@@ -2,12 +2,13 @@
 
 use super::super::App;
 use super::super::coast_maps::{PlacedGauge, RECORD_AHEAD_S};
+use super::axis::{show_caption, spectrum_plot};
 use super::spectrum::highest_omega;
 use super::{PLOT_COLOURS, fixed_plot};
 use crate::app::language::{say, tr};
 use crate::coast::gauges::Gauge;
 use crate::coast::transfer::SpectrumBand;
-use egui_plot::{Legend, Line, LineStyle, PlotPoints, VLine};
+use egui_plot::{Line, LineStyle, PlotPoints, VLine};
 
 /// Time before and after the present that the plot of the record shows, s.
 const SHOWN_S: [f64; 2] = [90.0, 30.0];
@@ -19,18 +20,20 @@ pub fn show_spectrum(app: &App, (number, gauge): (usize, &PlacedGauge), ui: &mut
     let end = highest_omega(plan);
     let bands = statistics.spectrum(gauge.point[0], gauge.point[1]);
     let bands = || bands.iter().filter(|band| band.omega_rad_s <= end);
-    ui.weak(tr("Variance density S(ω), m² s, over ω, rad/s"));
-    let plot = fixed_plot("gauge spectrum").id(egui::Id::unique(("gauge spectrum", number)));
-    plot.legend(Legend::default().background_alpha(0.4)).show(ui, |plot| {
-        let open: Vec<[f64; 2]> = bands().map(|b| [b.omega_rad_s, plan.density(b.omega_rad_s)]).collect();
+    let axis = app.visitor.preferences.spectrum_axis;
+    show_caption(app, ui);
+    let plot = spectrum_plot(app, "gauge spectrum", ui).id(egui::Id::unique(("gauge spectrum", number)));
+    plot.show(ui, |plot| {
+        let open: Vec<[f64; 2]> = bands().map(|b| axis.point([b.omega_rad_s, plan.density(b.omega_rad_s)])).collect();
         let share = bands().map(SpectrumBand::share);
-        let here: Vec<[f64; 2]> = open.iter().zip(share).map(|([omega, density], s)| [*omega, density * s]).collect();
+        let here: Vec<[f64; 2]> = open.iter().zip(share).map(|([at, density], s)| [*at, density * s]).collect();
         let line = Line::new(tr("Open sea"), PlotPoints::from(open)).color(PLOT_COLOURS[0]);
         plot.line(line.style(LineStyle::dashed_loose()));
         plot.line(Line::new(tr("gauge"), PlotPoints::from(here)).color(PLOT_COLOURS[1]).width(2.0));
-        let record: Vec<[f64; 2]> = gauge.record.spectrum().iter().copied().filter(|p| p[0] <= end).collect();
+        let record = gauge.record.spectrum();
         if record.len() > 2 {
-            let line = Line::new(tr("record"), PlotPoints::from(record)).color(PLOT_COLOURS[4]);
+            let points: PlotPoints<'_> = record.iter().filter(|p| p[0] <= end).map(|p| axis.point(*p)).collect();
+            let line = Line::new(tr("record"), points).color(PLOT_COLOURS[4]);
             plot.line(line.style(LineStyle::dashed_dense()));
         }
     });
@@ -48,8 +51,8 @@ pub fn show_record(app: &App, (number, gauge): (usize, &PlacedGauge), sea: &Gaug
     let plot = fixed_plot("gauge record").id(egui::Id::unique(("gauge record", number)));
     let plot = plot.include_x(-SHOWN_S[0]).include_x(SHOWN_S[1]).include_y(-half).include_y(half);
     plot.show(ui, |plot| {
-        plot.vline(VLine::new("now", 0.0).color(egui::Color32::GRAY).width(1.0));
-        plot.line(Line::new("height", PlotPoints::from(shown)).color(PLOT_COLOURS[0]));
+        plot.vline(VLine::new(tr("now"), 0.0).color(egui::Color32::GRAY).width(1.0));
+        plot.line(Line::new(tr("height"), PlotPoints::from(shown)).color(PLOT_COLOURS[0]));
     });
     if let Some(hs_m) = gauge.record.hs_m() {
         ui.label(say!(

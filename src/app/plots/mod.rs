@@ -3,6 +3,7 @@
 //! Each can be saved as CSV. The colours of Okabe and Ito (2008) stay distinct for colour-blind readers; lines also
 //! differ in dashes.
 
+mod axis;
 mod exceedance;
 pub mod gauge;
 pub mod polar;
@@ -12,11 +13,12 @@ mod spectrum;
 
 use super::App;
 use super::accessible_names::with_accessible_name;
-use crate::app::language::{say, tr};
+use crate::app::language::{local_number, say, tr};
 use egui::Color32;
-use egui_plot::Plot;
+use egui_plot::{AxisHints, GridInput, GridMark, Plot};
 use std::fmt::Write as _;
 
+pub use axis::SpectrumAxis;
 pub use spectrum::highest_omega;
 
 /// The six colours of the lines and bars in the panel's plots, distinct for colour-blind readers.
@@ -30,6 +32,8 @@ const PLOT_COLOURS: [Color32; 6] = [
 ];
 /// Height of a plot on the screen, points.
 const PLOT_HEIGHT_POINTS: f32 = 150.0;
+/// Distances of marks at the horizontal axis, points, from which on their numbers appear, and are clear.
+const NUMBER_SPACING_POINTS: egui::Rangef = egui::Rangef { min: 10.0, max: 20.0 };
 
 /// The data of a plot as a table for a CSV file: file name, column headings separated by commas, rows.
 pub struct PlotTable {
@@ -53,7 +57,21 @@ impl PlotTable {
 /// Creates an empty plot of height [`PLOT_HEIGHT_POINTS`] that the pointer cannot move or zoom; `name` is its id in
 /// egui.
 fn fixed_plot(name: &str) -> Plot<'_> {
-    Plot::new(name).height(PLOT_HEIGHT_POINTS).allow_drag(false).allow_zoom(false).allow_scroll(false)
+    let plot = Plot::new(name).height(PLOT_HEIGHT_POINTS).allow_drag(false).allow_zoom(false).allow_scroll(false);
+    // The usual marks at powers of ten, of which only distant ones have numbers, leave most axes with a single number.
+    let number = |mark: GridMark| local_number(format!("{}", (mark.value * 1e6).round() / 1e6 + 0.0));
+    let plot = plot.custom_x_axes(vec![AxisHints::new_x().label_spacing(NUMBER_SPACING_POINTS)]);
+    plot.x_grid_spacer(|input| round_marks(&input)).x_axis_formatter(move |mark, _| number(mark))
+}
+
+/// Marks along an axis: two to seven multiples of 1, 2 or 5 times a power of ten.
+fn round_marks(input: &GridInput) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    let least = (high - low) / 6.0;
+    let power = 10f64.powf(least.log10().floor());
+    let step = [1.0, 2.0, 5.0].map(|x| x * power).into_iter().find(|step| *step >= least).unwrap_or(10.0 * power);
+    let marks = (0..8).map(|i| ((low / step).ceil() + f64::from(i)) * step).take_while(|value| *value <= high);
+    marks.map(|value| GridMark { value, step_size: step }).collect()
 }
 
 /// Adds all plots to the panel, one below the other.
@@ -97,4 +115,24 @@ fn show_plot_section(
             *table_to_save = Some(table);
         }
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_are_few_and_round() {
+        for bounds in [(-30.0, 90.0), (0.0, 3.2), (0.02, 0.35), (2000.0, 2120.0), (-1e-3, 1e-3)] {
+            let marks = round_marks(&GridInput { bounds, base_step_size: 1.0 });
+            assert!((2..=7).contains(&marks.len()), "{bounds:?}: {marks:?}");
+            for mark in &marks {
+                let count = mark.value / mark.step_size;
+                assert!(
+                    (count - count.round()).abs() < 1e-9 && (bounds.0..=bounds.1).contains(&mark.value),
+                    "{mark:?}"
+                );
+            }
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::super::App;
 use super::PlotTable;
-use crate::app::language::tr;
+use crate::app::language::{local_number, say, text, tr};
 use crate::waves::Plan;
 use egui::{Color32, Mesh, Stroke, vec2};
 
@@ -79,12 +79,12 @@ pub fn show_direction_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let painter = ui.painter_at(rect);
     painter.add(mesh);
     painter.circle_stroke(centre, radius, Stroke::new(1.0, Color32::GRAY));
-    for (name, from) in [("N", 0.0), ("E", 0.25), ("S", 0.5), ("W", 0.75)] {
+    for (name, from) in [(text!("N"), 0.0), (text!("E"), 0.25), (text!("S"), 0.5), (text!("W"), 0.75)] {
         let font = egui::FontId::proportional(12.0);
         painter.text(
             at(std::f32::consts::TAU * from, radius + 9.0),
             egui::Align2::CENTER_CENTER,
-            name,
+            tr(name),
             font,
             Color32::LIGHT_GRAY,
         );
@@ -100,12 +100,13 @@ pub fn show_direction_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
             let from = to.x.atan2(-to.y).rem_euclid(std::f32::consts::TAU);
             let i = (from / std::f32::consts::TAU * DIRECTION_COUNT as f32).round() as usize % DIRECTION_COUNT;
             let omega = wheel.omega[ring];
-            response.on_hover_text_at_pointer(format!(
-                "from {:.0}°, T {:.1} s\nS {:.3} m² s/rad",
-                from.to_degrees(),
-                std::f64::consts::TAU / omega,
-                wheel.density[ring * DIRECTION_COUNT + i]
-            ));
+            let waves = say!(
+                "waves of {period} s from {from}°",
+                period = local_number(format!("{:.1}", std::f64::consts::TAU / omega)),
+                from = format!("{:.0}", from.to_degrees())
+            );
+            let density = local_number(format!("{:.3}", wheel.density[ring * DIRECTION_COUNT + i]));
+            response.on_hover_text_at_pointer(format!("{waves}\nS(ω, θ) = {density} m² s/rad"));
         }
     }
     ui.weak(tr("The arrow is the local wind. Brightness is the root of the density."));

@@ -2,6 +2,7 @@
 
 use super::super::App;
 use super::{PLOT_COLOURS, PlotTable, fixed_plot};
+use crate::app::language::{say, tr};
 use egui_plot::{Line, PlotPoints};
 
 /// Length of time before the current moment that the plot of the height record shows, s.
@@ -12,8 +13,8 @@ impl App {
     /// below the camera.
     pub(super) fn record_label_and_position(&self) -> (&'static str, [f64; 2]) {
         match self.params.floating_objects.first() {
-            Some(float) => ("the first floating object", [float.x_m, float.z_m]),
-            None => ("the point below the camera", [self.params.camera.x_m, self.params.camera.z_m]),
+            Some(float) => (tr("the first floating object"), [float.x_m, float.z_m]),
+            None => (tr("the point below the camera"), [self.params.camera.x_m, self.params.camera.z_m]),
         }
     }
 
@@ -40,15 +41,18 @@ pub fn show_height_record_plot(app: &App, ui: &mut egui::Ui) -> PlotTable {
     let from = until - PLOTTED_DURATION_S;
     let visible: Vec<[f64; 2]> =
         record.samples().iter().filter(|s| s[0] >= from).map(|s| [s[0], s[1] * length_scale.factor]).collect();
-    ui.weak(format!("Height at {} over time, s; {}", app.record_label_and_position().0, length_scale.unit));
+    let place = app.record_label_and_position().0;
+    ui.weak(say!("Height at {place} over time, s; {unit}", place = place, unit = length_scale.unit));
     let half = (0.8 * app.derived.theoretical_statistics.hs_m * length_scale.factor).max(0.05);
     let plot = fixed_plot("series").include_x(from).include_x(until).include_y(-half).include_y(half);
-    plot.show(ui, |plot| plot.line(Line::new("height", PlotPoints::from(visible)).color(PLOT_COLOURS[0])));
+    plot.show(ui, |plot| plot.line(Line::new(tr("height"), PlotPoints::from(visible)).color(PLOT_COLOURS[0])));
     let length = record.length_s();
-    let hs = record.hs_m().map_or_else(|| "after 30 s".to_owned(), |hs| length_scale.format(hs, 2));
-    ui.label(format!(
-        "Hs of {length:.0} s of record: {hs}; of the spectrum: {}",
-        length_scale.format(app.derived.theoretical_statistics.hs_m, 2)
+    let hs = record.hs_m().map_or_else(|| tr("after 30 s").to_owned(), |hs| length_scale.format(hs, 2));
+    ui.label(say!(
+        "Hs of {length} s of record: {measured}; of the spectrum: {theory}",
+        length = format!("{length:.0}"),
+        measured = hs,
+        theory = length_scale.format(app.derived.theoretical_statistics.hs_m, 2)
     ));
     let rows = record.samples().iter().map(|s| s.to_vec()).collect();
     PlotTable { name: "record.csv", heading: "t (s),height (m)".into(), rows }

@@ -1,7 +1,7 @@
 //! Storage of the web page: downloads for saved files, and the browser's local storage for the user's own named seas.
 //! The functions are the same as in desktop.rs.
 
-use super::{DAMAGED_SEAS_FILE_NAME, PANEL_PLACE_FILE_NAME, PREFERENCES_FILE_NAME, SEAS_FILE_NAME};
+use super::{DAMAGED_SEAS_FILE_NAME, OLD_PANEL_PLACE_FILE_NAME, PREFERENCES_FILE_NAME, SEAS_FILE_NAME};
 use std::path::Path;
 use wasm_bindgen::{JsCast as _, JsValue};
 
@@ -26,30 +26,23 @@ pub fn load_seas() -> String {
     load_item(SEAS_FILE_NAME)
 }
 
-/// Loads the stored preferences as text; empty if there are none.
-pub fn load_preferences() -> String {
-    load_item(PREFERENCES_FILE_NAME)
+/// Loads the stored preferences as text; empty if there are none. What an older program stored about the panel comes
+/// first, so that what is stored later counts. The folder is ignored.
+pub fn load_preferences(_folder: Option<&Path>) -> String {
+    [OLD_PANEL_PLACE_FILE_NAME, PREFERENCES_FILE_NAME].map(load_item).join("\n")
 }
 
-/// Stores the preferences, given as text, in place of the old ones.
+/// Stores the preferences, given as text, in place of the old ones. The folder is ignored.
 ///
 /// # Errors
 /// One sentence, if the browser refuses to store them.
-pub fn store_preferences(text: &str) -> Result<(), String> {
-    store_item(PREFERENCES_FILE_NAME, text)
-}
-
-/// Loads the stored text about place and width of the panel; empty if there is none.
-pub fn load_panel_place() -> String {
-    load_item(PANEL_PLACE_FILE_NAME)
-}
-
-/// Stores the text about place and width of the panel in place of the old one. The folder is ignored.
-///
-/// # Errors
-/// One sentence, if the browser refuses to store it.
-pub fn store_panel_place(_folder: Option<&Path>, text: &str) -> Result<(), String> {
-    store_item(PANEL_PLACE_FILE_NAME, text)
+pub fn store_preferences(_folder: Option<&Path>, text: &str) -> Result<(), String> {
+    store_item(PREFERENCES_FILE_NAME, text)?;
+    // The text holds what the older item said. If that item stays, it does no harm.
+    if let Some(storage) = storage() {
+        storage.remove_item(OLD_PANEL_PLACE_FILE_NAME).ok();
+    }
+    Ok(())
 }
 
 /// Copies the stored list of the user's own named seas to a second key of the browser's storage, over an older copy.

@@ -1,6 +1,6 @@
 //! Storage of the desktop window: files in the user's folders.
 
-use super::{DAMAGED_SEAS_FILE_NAME, PANEL_PLACE_FILE_NAME, PREFERENCES_FILE_NAME, SEAS_FILE_NAME};
+use super::{DAMAGED_SEAS_FILE_NAME, OLD_PANEL_PLACE_FILE_NAME, PREFERENCES_FILE_NAME, SEAS_FILE_NAME};
 use std::io::{ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -37,32 +37,26 @@ pub fn load_seas() -> String {
     seas_path().ok().and_then(|path| read_text(&path)).unwrap_or_default()
 }
 
-/// Loads the stored preferences as text; empty if there are none.
-pub fn load_preferences() -> String {
-    data_path(PREFERENCES_FILE_NAME).ok().and_then(|path| read_text(&path)).unwrap_or_default()
+/// Loads the stored preferences as text, from `folder` if the app has a folder of its own for files, else from that of
+/// the program's data; empty if there are none. What an older program stored about the panel comes first, so that what is
+/// stored later counts.
+pub fn load_preferences(folder: Option<&Path>) -> String {
+    let text = |name| preferences_path(folder, name).ok().and_then(|path| read_text(&path)).unwrap_or_default();
+    [text(OLD_PANEL_PLACE_FILE_NAME), text(PREFERENCES_FILE_NAME)].join("\n")
 }
 
 /// Stores the preferences, given as text, in place of the old ones.
 ///
 /// # Errors
 /// One sentence with the reason, if the file cannot be written.
-pub fn store_preferences(text: &str) -> Result<(), String> {
-    store_text(&data_path(PREFERENCES_FILE_NAME)?, text)
+pub fn store_preferences(folder: Option<&Path>, text: &str) -> Result<(), String> {
+    store_text(&preferences_path(folder, PREFERENCES_FILE_NAME)?, text)?;
+    // The text holds what the older file said. If that file stays, it does no harm.
+    preferences_path(folder, OLD_PANEL_PLACE_FILE_NAME).map(|path| drop(std::fs::remove_file(path)))
 }
 
-/// Loads the stored text about place and width of the panel; empty if there is none.
-pub fn load_panel_place() -> String {
-    data_path(PANEL_PLACE_FILE_NAME).ok().and_then(|path| read_text(&path)).unwrap_or_default()
-}
-
-/// Stores the text about place and width of the panel in place of the old one: in `folder` if the app has a folder of its
-/// own for files, else in the folder of the program's data.
-///
-/// # Errors
-/// One sentence with the reason, if the file cannot be written.
-pub fn store_panel_place(folder: Option<&Path>, text: &str) -> Result<(), String> {
-    let path = folder.map_or_else(|| data_path(PANEL_PLACE_FILE_NAME), |f| Ok(f.join(PANEL_PLACE_FILE_NAME)))?;
-    store_text(&path, text)
+fn preferences_path(folder: Option<&Path>, name: &str) -> Result<PathBuf, String> {
+    folder.map_or_else(|| data_path(name), |folder| Ok(folder.join(name)))
 }
 
 fn read_text(path: &Path) -> Option<String> {

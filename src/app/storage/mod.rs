@@ -9,15 +9,9 @@ mod browser;
 mod desktop;
 
 #[cfg(target_arch = "wasm32")]
-pub use browser::{
-    back_up_damaged_seas, load_panel_place, load_preferences, load_seas, save, store_panel_place, store_preferences,
-    store_seas,
-};
+pub use browser::{back_up_damaged_seas, load_preferences, load_seas, save, store_preferences, store_seas};
 #[cfg(not(target_arch = "wasm32"))]
-pub use desktop::{
-    back_up_damaged_seas, load_panel_place, load_preferences, load_seas, save, store_panel_place, store_preferences,
-    store_seas,
-};
+pub use desktop::{back_up_damaged_seas, load_preferences, load_seas, save, store_preferences, store_seas};
 
 /// Where the user's own named seas are stored: file name on the desktop, key in the browser's local storage.
 const SEAS_FILE_NAME: &str = "seas.txt";
@@ -26,5 +20,6 @@ const SEAS_FILE_NAME: &str = "seas.txt";
 const DAMAGED_SEAS_FILE_NAME: &str = "seas-damaged.txt";
 /// Where the preferences of the visitor are stored: file name on the desktop, key in the browser's local storage.
 const PREFERENCES_FILE_NAME: &str = "preferences.txt";
-/// Where place and width of the panel are stored: file name on the desktop, key in the browser's local storage.
-const PANEL_PLACE_FILE_NAME: &str = "panel.txt";
+/// Where place and width of the panel were stored before they became preferences: file name on the desktop, key in the
+/// browser's local storage.
+const OLD_PANEL_PLACE_FILE_NAME: &str = "panel.txt";
