@@ -35,7 +35,8 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   if cloud_field.kind == CLOUD_CIRRUS {
     // Fibres are drawn out along the wind. Those side by side bend together, because the wind turns over tens of km.
     let s = cloud_field.shapes_per_km;
-    let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, vec3f(p.x / 46.0, 0.3 * p.y, p.z / 31.0) * s, 0.0).b - 0.5;
+    let wind = vec3f(p.x / 46.0, 0.3 * p.y, p.z / 31.0) * s;
+    let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, wind, 0.0).b - 0.5;
     // Ice that falls below the head of a fibre lags behind, into wind of another direction: a hook.
     let fallen_km = cloud_field.base_km + 1.0 / cloud_field.layers_per_km - p.y;
     let across = p.z + CIRRUS_BEND * bend / s + CIRRUS_HOOK_PER_KM * fallen_km * fallen_km;
