@@ -6,7 +6,7 @@ const FOAM_ALBEDO = 0.6;
 const FOAM_GLOW = 0.16;
 
 // Colour of a thin film of foam: light that it scatters down comes back through the water between its bubbles.
-const FOAM_FILM_COLOUR = vec3f(0.75, 0.9, 0.95);
+const FOAM_FILM_COLOUR = vec3f(0.86, 0.95, 0.97);
 
 // Radiance of foam towards `v`: a white diffuse body lit by sun and sky, with the gloss of its wet bubbles.
 fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
@@ -15,9 +15,9 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   // Light spreads inside foam, which softens its shading. Unresolved slopes brighten the mean, because facets that are
   // turned away from the sun are not darker than black.
   let cosine = dot(n, l);
-  let mean = 0.8 * cosine + 0.2 * l.y;
+  let mean = 0.7 * cosine + 0.3 * l.y;
   let across = slope.variance.x * l.x * l.x + slope.variance.y * l.z * l.z + 2.0 * slope.variance.z * l.x * l.z;
-  let deviation = 0.8 * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
+  let deviation = 0.7 * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
   let off = mean / deviation;
   var wrapped = max(mean * foam_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
   if WATER_SHADOWS {

@@ -11,23 +11,23 @@
 const FOAM_BILLOW_LAYER = 10u;
 // Weights of the layers in the pattern of a breaker's front: windrows, billows, strands and threads. Their squares add up
 // to 1.
-const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.8, 0.5, 0.33);
+const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.68, 0.6, 0.41);
 // Factors on the weights of the layers (material.rs), which grow with the wind, in the oldest foam and in new foam.
 const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
 const FOAM_NEW_WEIGHTS = vec4f(0.5, 0.8, 1.05, 1.2);
 // Reciprocal of the standard deviations of the values of cloud (evenly spread) and of lace and lumps (normal).
 const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
 // Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
-const FOAM_FILM_SOFTNESS = 0.4;
-const FOAM_BODY_SOFTNESS = vec2f(0.22, 0.14);
+const FOAM_FILM_SOFTNESS = 0.5;
+const FOAM_BODY_SOFTNESS = vec2f(0.3, 0.34);
 // Opacity of the film (x), through which water shows, and what the body adds where it lies on it (y): of the oldest
 // foam, of new foam and of a front. The mean over the life of whitecaps is about half of that of a front (Koepke 1984).
 const FOAM_OLD_OPACITY = vec2f(0.19, 0.34);
 const FOAM_NEW_OPACITY = vec2f(0.26, 0.44);
-const FOAM_FRONT_OPACITY = vec2f(0.4, 0.58);
+const FOAM_FRONT_OPACITY = vec2f(0.36, 0.62);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
-const FOAM_FRONT_SHIFT = vec2f(0.0, -0.2);
+const FOAM_FRONT_SHIFT = vec2f(0.2, -0.3);
 // Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
 // centimetres (z), m.
 const FOAM_LUMP_HEIGHT_M = vec3f(0.35, 0.08, 0.008);
@@ -37,7 +37,7 @@ const FOAM_BODY_HEIGHT_M = vec2f(0.03, 0.12);
 const FOAM_RELIEF_STEP_M = vec3f(0.4, 0.08, 0.01);
 const FOAM_SHADOW_STEP_M = 1.5;
 // Part of the sunlight that a billow takes from the next one: foam lets light through, and scatters it about.
-const FOAM_SHADOW = 0.6;
+const FOAM_SHADOW = 0.45;
 // Share of billows in the height of a front's grain, relative to that of lumps.
 const FOAM_BILLOW_GRAIN = 1.2;
 // Fraction of the foam that belongs to fronts, from which billows show.
@@ -161,7 +161,8 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
     let fine = material_noise(FOAM_THREAD_LAYER, place.at + steps.z * sun, lods.layers.w).a - 0.5 - place.heights.z;
     rise += 6.08 * FOAM_LUMP_HEIGHT_M.z * fine / steps.z;
   }
-  return vec2f(clamp(rise, -1.5, 1.5), lit);
+  // Light that spreads inside foam rounds off its steepest walls.
+  return vec2f(rise * inverseSqrt(1.0 + rise * rise), lit);
 }
 
 // Appearance of foam in a pixel.

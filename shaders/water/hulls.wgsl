@@ -166,13 +166,18 @@ fn line_fragment(in: HullLineFragment) -> @location(0) vec4f {
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(in.position.xz, 0.0);
   }
-  // A thin cylinder shows its lit and its dark side at once.
+  // A thin cylinder shows its lit and its dark side at once; a wide one, like a near mast, shows them side by side.
   let l = frame.sun_direction;
   let cosine = dot(l, in.along);
   let distance_m = length(in.position);
   let dir = in.position / distance_m;
   let lit_side = 0.5 - 0.5 * dot(l - in.along * cosine, dir);
-  let sun = cloud_sun_irradiance() * (sqrt(max(1.0 - cosine * cosine, 0.0)) * 0.64 * saturate(lit_side));
+  let mean = sqrt(max(1.0 - cosine * cosine, 0.0)) * 0.64 * saturate(lit_side);
+  let aside = clamp(in.across.x / in.across.y, -1.0, 1.0);
+  let side = normalize(cross(in.along, in.position));
+  let n = aside * side - sqrt(1.0 - aside * aside) * cross(side, in.along);
+  let wide = saturate(in.across.y / in.across.z - 0.5);
+  let sun = cloud_sun_irradiance() * mix(mean, max(dot(n, l), 0.0), wide);
   let surface = in.colour * (sun + 0.5 * light.sky_irradiance) / ATM_PI;
   let air = air_to_point(dir, distance_m);
   let opacity = hull_line_cover(abs(in.across.x), in.across.y, in.across.z);

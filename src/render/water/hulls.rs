@@ -1,7 +1,7 @@
 //! Floating buoys, boats and yachts (shaders/water/hulls.wgsl): a few small hulls, whose vertices the CPU transforms.
 
 use super::hull_shapes::{HullFacet, HullLine, boat_hull, buoy_hull};
-use super::yacht_shape::{yacht_hull, yacht_lines};
+use super::yacht_shape::{yacht_hull, yacht_lines, yacht_mast};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
 use crate::gpu::layout::gpu_struct;
@@ -49,6 +49,8 @@ pub struct HullPass {
     /// Triangles of each kind of object, in the order of [`FloatingObjectKind::ALL`].
     hulls: [Vec<HullFacet>; FloatingObjectKind::ALL.len()],
     lines: Vec<HullLine>,
+    /// Triangles of the mast, for pictures without lines.
+    mast: Vec<HullFacet>,
     /// Numbers of vertices of the hulls and of the lines, which follow them in the buffer.
     vertex_count: u32,
     line_vertex_count: u32,
@@ -75,6 +77,7 @@ impl HullPass {
             vertices: None,
             hulls,
             lines: yacht_lines(),
+            mast: yacht_mast(),
             vertex_count: 0,
             line_vertex_count: 0,
         }
@@ -92,12 +95,15 @@ impl HullPass {
         for pose in poses {
             let axes = HullAxes::new(pose, scene);
             vertices.extend(self.hulls[pose.kind as usize].iter().flat_map(|facet| axes.facet_vertices(facet)));
-            // The samples of a reference picture cannot be blended.
-            if pose.kind == FloatingObjectKind::Yacht && group.output != OutputKind::Reference {
+            // The samples of a reference picture cannot be blended, so it has the mast as a solid, and no ropes.
+            if pose.kind == FloatingObjectKind::Yacht && group.output == OutputKind::Reference {
+                vertices.extend(self.mast.iter().flat_map(|facet| axes.facet_vertices(facet)));
+            } else if pose.kind == FloatingObjectKind::Yacht {
                 lines.extend(self.lines.iter().flat_map(|line| axes.line_vertices(line)));
             }
         }
-        let largest = self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0) + 6 * self.lines.len();
+        let largest = self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
+        let largest = largest + (6 * self.lines.len()).max(3 * self.mast.len());
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
             let bytes = (MAX_FLOATING_OBJECTS * largest * size_of::<HullVertex>()) as u64;
             let buffer = gpu.storage_buffer("hulls", bytes);

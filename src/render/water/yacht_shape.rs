@@ -31,18 +31,19 @@ const CROSS_SECTIONS: [[f64; 4]; 9] = [
     [5.4, 1.22, 1.04, -0.05],
 ];
 
-/// Triangles of a sailing yacht on the port tack: the wind comes from port ahead, and the sails stand to starboard.
+/// Triangles, but for the mast, of a sailing yacht on the port tack: the wind comes from port ahead, and the sails stand to starboard.
 pub fn yacht_hull() -> Vec<HullFacet> {
     let mut facets = Vec::new();
     hull_and_deck(&mut facets);
     cabin(&mut facets);
-    facets.extend(moved(
-        surface_of_revolution(&[(0.1, 0.9, WHITE), (0.06, MAST_TOP_M, WHITE)]),
-        -MAST_AHEAD_M * DVec3::Z,
-    ));
     crew(&mut facets);
     sails(&mut facets);
     facets
+}
+
+/// Triangles of the yacht's mast, for pictures without lines. [`yacht_lines`] has it, too.
+pub fn yacht_mast() -> Vec<HullFacet> {
+    moved(surface_of_revolution(&[(0.085, 0.9, WHITE), (0.07, MAST_TOP_M, WHITE)]), -MAST_AHEAD_M * DVec3::Z).collect()
 }
 
 /// Adds the triangles of a sheet of points, rows of equal length, with normals that vary smoothly. They point to the
@@ -159,13 +160,16 @@ fn moved(facets: Vec<HullFacet>, by: DVec3) -> impl Iterator<Item = HullFacet> {
     facets.into_iter().map(move |f| HullFacet { corners: f.corners.map(|c| c + by), ..f })
 }
 
-/// Stays, shrouds, spreaders, guard rails and sheets.
+/// Mast, stays, shrouds, spreaders, guard rails and sheets.
 pub fn yacht_lines() -> Vec<HullLine> {
     let mast = |y: f64| DVec3::new(0.0, y, -MAST_AHEAD_M);
     let mut lines = Vec::new();
     let mut line = |a: DVec3, b: DVec3, half_width_m: f64, colour: u32| {
         lines.push(HullLine { ends: [a, b], half_width_m, colour });
     };
+    // As lines, the two parts of the mast keep smooth edges at any distance.
+    line(mast(0.9), mast(7.6), 0.085, WHITE);
+    line(mast(7.6), mast(MAST_TOP_M), 0.07, WHITE);
     line(mast(MAST_TOP_M - 0.1), DVec3::new(0.0, 1.05, 5.35), 0.006, DARK_GREY);
     line(mast(13.2), DVec3::new(0.0, 1.4, -5.5), 0.008, DARK_GREY);
     line(mast(MAST_TOP_M), mast(MAST_TOP_M + 0.7), 0.008, DARK_GREY);
@@ -211,8 +215,8 @@ struct Sail {
 
 fn sails(facets: &mut Vec<HullFacet>) {
     let mast = |y: f64| DVec3::new(0.0, y, -MAST_AHEAD_M);
-    // The mainsail runs in a groove at the back of the mast, so that the mast is seen from both sides.
-    let groove = DVec3::Z * 0.11;
+    // The mainsail runs in a groove at the back of the mast, so that the mast is seen from both sides, without a gap.
+    let groove = DVec3::Z * 0.05;
     let main = Sail {
         tack: mast(2.15) + groove,
         head: mast(MAST_TOP_M - 0.4) + groove,
