@@ -161,6 +161,25 @@ fn the_beach_has_surf_and_swash() {
     assert_eq!(alone, transfer);
 }
 
+/// The solver takes water thinner than 0.1 m for land. There, too, the swash breaks as it does beside it, on the side of
+/// the sea and up the beach: rollers run to the edge of the water.
+#[test]
+fn waves_break_in_the_thinnest_water() {
+    let sea = plan("depth=8&hs=1.5&tp=9&dir=270&n=64");
+    // 1 in 20, with a column of points in 0.05 m of water.
+    let depth_m = |x: f64| 0.05 * (161.0 - x);
+    let bathymetry = Bathymetry::from_fn(49, 17, 4.0, |x, _| depth_m(x));
+    let coast = PlacedCoast { bathymetry, toward_deg: 90.0, ..flat(8.0, 90.0, 2, 4.0) };
+    let limits = TransferLimits { max_waves: 12, points: 49, ..TransferLimits::default() };
+    let transfer = solved(&sea, &coast, &limits);
+    let heights_m = |column: usize| transfer.points[8 * transfer.columns + column].breaking_height_m;
+    let (thin, before, land) = (heights_m(40), heights_m(39), heights_m(41));
+    assert!((transfer.points[8 * transfer.columns + 40].depth_m - 0.05).abs() < 1e-3);
+    assert!(before.is_finite() && (thin / before - 1.0).abs() < 0.2 && (land / thin - 1.0).abs() < 0.2);
+    // Out at sea no wave of this height breaks, and none on land that no wave reaches.
+    assert!(heights_m(5) > 3.0 && heights_m(48) >= 10.0 * thin, "{} {} {thin}", heights_m(5), heights_m(48));
+}
+
 #[test]
 fn every_built_in_coast_has_a_transfer() {
     for coast in &crate::coast::built_in::BUILT_IN {
