@@ -49,7 +49,7 @@ impl Envelopes {
         let scale = 1.0 / wave.open_amplitude_m;
         let turn = |i: usize| Complex::polar(scale, field.carrier.phase_rad[i] - group.column_phase_rad[i]);
         let along_x: Vec<Complex> = (0..self.columns).map(turn).collect();
-        let out = &mut self.packed[index * self.points..(index + 1) * self.points];
+        let mut envelope = Vec::with_capacity(self.points);
         for j in 0..rows {
             let y_m = j as f64 * self.cell_m;
             let along_y = Complex::polar(1.0, (field.carrier.ky_rad_m - group.ky_rad_m) * y_m);
@@ -62,9 +62,12 @@ impl Envelopes {
                 if is_short {
                     self.short_variance_m2[point] += variance_m2;
                 }
-                out[point] = pack(value * along_x[i] * along_y);
+                envelope.push(value * along_x[i] * along_y);
             }
         }
+        sharpen(&mut envelope, self.columns);
+        let out = &mut self.packed[index * self.points..(index + 1) * self.points];
+        out.iter_mut().zip(&envelope).for_each(|(packed, value)| *packed = pack(*value));
     }
 
     /// Continues a wave over the shore: at each of its points the envelope is the mean of those around that are
@@ -87,5 +90,61 @@ impl Envelopes {
         for (point, factor) in factors {
             out[*point] = pack(unpack(out[*point]) * *factor);
         }
+    }
+}
+
+/// Changes an envelope with `columns` points in a row so that it is best drawn linearly between its points. An envelope
+/// that bends lies outside of the lines between its values, by delta^2 / 12 in the mean if its phase turns by delta from
+/// point to point. A twelfth of the second differences moves the points so far outwards. That leaves the least mean square
+/// error, less than half of what it was. Values of 0, where nothing is known, neither move nor move others.
+pub fn sharpen(envelope: &mut [Complex], columns: usize) {
+    let before = envelope.to_vec();
+    let rows = before.len() / columns.max(1);
+    let is_known = |value: Complex| value.norm_squared() > 0.0;
+    for (point, out) in envelope.iter_mut().enumerate().filter(|(_, value)| is_known(**value)) {
+        let here = *out;
+        for (at, count, step) in [(point % columns, columns, 1), (point / columns, rows, columns)] {
+            if (1..count - 1).contains(&at) {
+                let around = [before[point - step], before[point + step]];
+                if around.into_iter().all(is_known) {
+                    *out += (here * 2.0 - around[0] - around[1]) * (1.0 / 12.0);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The rms error of linear interpolation of a turning envelope along both axes falls by the square root of 6.
+    #[test]
+    fn sharpened_envelopes_are_drawn_better() {
+        let (columns, rows, turn) = (24, 20, [0.3, -0.2]);
+        let wave = |x: f64, y: f64| Complex::polar(0.7, turn[0] * x + turn[1] * y);
+        let plain: Vec<Complex> =
+            (0..columns * rows).map(|i| wave((i % columns) as f64, (i / columns) as f64)).collect();
+        let rms = |values: &[Complex]| {
+            let mut sum = 0.0;
+            for i in 0..400_usize {
+                let [p, q] = [i % 20, i / 20].map(|part| (part as f64 + 0.5) / 20.0);
+                let at = |dx: usize, dy: usize| values[(9 + dy) * columns + 10 + dx];
+                let low = at(0, 0) * (1.0 - p) + at(1, 0) * p;
+                let high = at(0, 1) * (1.0 - p) + at(1, 1) * p;
+                sum += (low * (1.0 - q) + high * q - wave(10.0 + p, 9.0 + q)).norm_squared();
+            }
+            (sum / 400.0).sqrt()
+        };
+        let mut sharp = plain.clone();
+        sharpen(&mut sharp, columns);
+        assert!((5.0..6.5).contains(&(rms(&plain) / rms(&sharp)).powi(2)), "{} {}", rms(&plain), rms(&sharp));
+        // Land stays land, and the points beside it count as they are across the shore.
+        let mut coast = plain.clone();
+        (0..rows).for_each(|row| coast[row * columns + 12] = Complex::ZERO);
+        sharpen(&mut coast, columns);
+        assert_eq!(coast[9 * columns + 12], Complex::ZERO);
+        let along_only = plain[9 * columns + 11] * (1.0 + (1.0 - turn[1].cos()) / 6.0);
+        assert!((coast[9 * columns + 11] - along_only).norm_squared() < 1e-20);
     }
 }

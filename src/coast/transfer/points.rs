@@ -68,6 +68,7 @@ pub(super) fn points(
             weight: if setup.waves.is_empty() { 0.0 } else { weight(grid, point) as f32 },
             breaking_height_m: breaking_height_m as f32,
             set_up_m: set_up_m[point] as f32,
+            level_deviation_m: all[point].sqrt() as f32,
         }
     };
     (0..grid.depth_m.len()).map(point).collect()

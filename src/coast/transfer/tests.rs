@@ -6,6 +6,7 @@ use crate::state::query;
 use crate::waves::Plan;
 use crate::waves::statistics::{initial_amplitude, lattice_indices};
 use crate::waves::table::{SpectrumTable, entry_index};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 fn plan(state: &str) -> Plan {
@@ -82,6 +83,21 @@ fn over_a_flat_bed_the_transfer_is_the_open_sea() {
             squares[i] += want[i] * want[i];
         }
         samples += 1.0;
+        // The waves at the point, one by one, add up to the same elevation and velocity.
+        let turns = f64::from(plan.period_fraction_u32(t_s));
+        let mut alone = [0.0; 4];
+        for wave in waves.at_point(at) {
+            let angle = TAU * (f64::from(wave.cycles_per_period) * turns / 4_294_967_296.0).fract();
+            let of_time = |[re, im]: [f64; 2]| re * angle.cos() + im * angle.sin();
+            let rate = |[re, im]: [f64; 2]| wave.omega_rad_s * (im * angle.cos() - re * angle.sin());
+            let [gx, gz] = wave.gradient.map(|[re, im]| of_time([im, -re]) * 9.81 / wave.omega_rad_s);
+            let terms = [of_time(wave.amplitude_m), gx, rate(wave.amplitude_m), gz];
+            alone.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+        }
+        let [u, w, v] = sums.orbital_velocity_m_s;
+        for (a, b) in alone.into_iter().zip([sums.elevation_m, u, w, v]) {
+            assert!((a - b).abs() < 2e-3, "{alone:?} {sums:?}");
+        }
         let gains = transfer.gains(at);
         assert!((gains.short_gain - 1.0).abs() < 0.01 && gains.set_up_m.abs() < 0.02, "{gains:?}");
     }

@@ -79,7 +79,7 @@ pub fn point_texels(transfer: &Transfer) -> Vec<[f16; 4]> {
 }
 
 /// Texels (row by row) of the map of gains over a square: factors of ordinary cascades, of offshore waves, and of the waves
-/// at the coast, which are 0 outside the coast's grid; and the depth below the still water, m.
+/// at the coast, which are 0 outside the coast's grid; and the height above the still water that the waves run up, m.
 pub fn gain_texels(transfer: &Transfer, square: &CoastSquare) -> Vec<[f16; 4]> {
     let side = GAINS_MAP_SIDE as usize;
     let texel = |i: usize| {
@@ -88,14 +88,14 @@ pub fn gain_texels(transfer: &Transfer, square: &CoastSquare) -> Vec<[f16; 4]> {
         let grid = frame_from_world(&transfer.placement, world).map(|x| x / transfer.cell_m);
         let last = [transfer.columns, transfer.rows].map(|count| (count - 1) as f64);
         let is_inside = (0..2).all(|axis| (0.0..=last[axis]).contains(&grid[axis]));
-        let [short, weight, depth_m] = interpolated(transfer, [0, 1].map(|axis| grid[axis].clamp(0.0, last[axis])));
+        let [short, weight, run_up_m] = interpolated(transfer, [0, 1].map(|axis| grid[axis].clamp(0.0, last[axis])));
         let at_coast = if is_inside { weight } else { 0.0 };
-        [short, (1.0 - weight) * short, at_coast, depth_m].map(|x| f16::from_f32(x as f32))
+        [short, (1.0 - weight) * short, at_coast, run_up_m].map(|x| f16::from_f32(x as f32))
     };
     (0..side * side).map(texel).collect()
 }
 
-/// `short_gain`, `weight` and `depth_m` between the points of the grid, at a position in cells.
+/// Short gain, weight and run-up between the points of the grid, at a position in cells.
 fn interpolated(transfer: &Transfer, [x, y]: [f64; 2]) -> [f64; 3] {
     let [column, row] = [(x, transfer.columns), (y, transfer.rows)].map(|(at, count)| (at as usize).min(count - 2));
     let (fx, fy) = (x - column as f64, y - row as f64);
@@ -104,7 +104,7 @@ fn interpolated(transfer: &Transfer, [x, y]: [f64; 2]) -> [f64; 3] {
         [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)]
     {
         let point = &transfer.points[(row + dy) * transfer.columns + column + dx];
-        let values = [point.short_gain, point.weight, point.depth_m];
+        let values = [point.short_gain, point.weight, point.run_up_m()];
         sum = std::array::from_fn(|i| sum[i] + share * f64::from(values[i]));
     }
     sum
