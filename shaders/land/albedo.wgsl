@@ -5,7 +5,7 @@ const LAND_ROCK_SLOPES = vec2f(0.45, 0.85);
 // Height above the still water, m, at which the first dune grass grows.
 const LAND_GRASS_M = 3.2;
 // Fractions of its albedo, RGB, that wet sand keeps.
-const LAND_DAMP = vec3f(0.60, 0.56, 0.52);
+const LAND_DAMP = vec3f(0.54, 0.50, 0.46);
 // Albedos.
 const LAND_MARRAM = vec3f(0.112, 0.122, 0.056);
 const LAND_STRAW = vec3f(0.235, 0.200, 0.112);
