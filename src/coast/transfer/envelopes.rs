@@ -49,7 +49,7 @@ impl Envelopes {
         let scale = 1.0 / wave.open_amplitude_m;
         let turn = |i: usize| Complex::polar(scale, field.carrier.phase_rad[i] - group.column_phase_rad[i]);
         let along_x: Vec<Complex> = (0..self.columns).map(turn).collect();
-        let mut envelope = Vec::with_capacity(self.points);
+        let out = &mut self.packed[index * self.points..(index + 1) * self.points];
         for j in 0..rows {
             let y_m = j as f64 * self.cell_m;
             let along_y = Complex::polar(1.0, (field.carrier.ky_rad_m - group.ky_rad_m) * y_m);
@@ -62,12 +62,9 @@ impl Envelopes {
                 if is_short {
                     self.short_variance_m2[point] += variance_m2;
                 }
-                envelope.push(value * along_x[i] * along_y);
+                out[point] = pack(value * along_x[i] * along_y);
             }
         }
-        sharpen(&mut envelope, self.columns);
-        let out = &mut self.packed[index * self.points..(index + 1) * self.points];
-        out.iter_mut().zip(&envelope).for_each(|(packed, value)| *packed = pack(*value));
     }
 
     /// Continues a wave over the shore: at each of its points the envelope is the mean of those around that are
@@ -84,12 +81,13 @@ impl Envelopes {
         }
     }
 
-    /// Multiplies a wave by a factor at some points.
+    /// Multiplies a wave by a factor at some points, and sharpens it. So it is ready.
     pub(super) fn scale(&mut self, index: usize, factors: &[(usize, f64)]) {
         let out = &mut self.packed[index * self.points..(index + 1) * self.points];
-        for (point, factor) in factors {
-            out[*point] = pack(unpack(out[*point]) * *factor);
-        }
+        let mut envelope: Vec<Complex> = out.iter().map(|bits| unpack(*bits)).collect();
+        factors.iter().for_each(|(point, factor)| envelope[*point] *= *factor);
+        sharpen(&mut envelope, self.columns);
+        out.iter_mut().zip(&envelope).for_each(|(bits, value)| *bits = pack(*value));
     }
 }
 
