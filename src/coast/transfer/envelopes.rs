@@ -81,12 +81,12 @@ impl Envelopes {
         }
     }
 
-    /// Multiplies a wave by a factor at some points, and sharpens it. So it is ready.
-    pub(super) fn scale(&mut self, index: usize, factors: &[(usize, f64)]) {
+    /// Multiplies a wave by a factor at some points, and sharpens it at those of open water. So it is ready.
+    pub(super) fn scale(&mut self, index: usize, factors: &[(usize, f64)], is_open: impl Fn(usize) -> bool) {
         let out = &mut self.packed[index * self.points..(index + 1) * self.points];
         let mut envelope: Vec<Complex> = out.iter().map(|bits| unpack(*bits)).collect();
         factors.iter().for_each(|(point, factor)| envelope[*point] *= *factor);
-        sharpen(&mut envelope, self.columns);
+        sharpen(&mut envelope, self.columns, is_open);
         out.iter_mut().zip(&envelope).for_each(|(bits, value)| *bits = pack(*value));
     }
 }
@@ -94,30 +94,42 @@ impl Envelopes {
 /// Changes an envelope with `columns` points in a row so that it is best drawn linearly between its points. An envelope
 /// that bends lies outside of the lines between its values, by delta^2 / 12 in the mean if its phase turns by delta from
 /// point to point. A twelfth of the second differences moves the points so far outwards. That leaves the least mean square
-/// error, less than half of what it was. Values of 0, where nothing is known, neither move nor move others.
-pub fn sharpen(envelope: &mut [Complex], columns: usize) {
+/// error, less than half of what it was. Only points for which `is_open` move, along an axis on which both points beside
+/// them are open, too.
+pub fn sharpen(envelope: &mut [Complex], columns: usize, is_open: impl Fn(usize) -> bool) {
     let before = envelope.to_vec();
     let rows = before.len() / columns.max(1);
-    let is_known = |value: Complex| value.norm_squared() > 0.0;
-    for (point, out) in envelope.iter_mut().enumerate().filter(|(_, value)| is_known(**value)) {
-        let here = *out;
-        for (at, count, step) in [(point % columns, columns, 1), (point / columns, rows, columns)] {
-            if (1..count - 1).contains(&at) {
-                let around = [before[point - step], before[point + step]];
-                if around.into_iter().all(is_known) {
-                    *out += (here * 2.0 - around[0] - around[1]) * (1.0 / 12.0);
-                }
-            }
-        }
+    for (point, out) in envelope.iter_mut().enumerate() {
+        *out = *out - bend(point, [columns, rows], &is_open, |at| before[at]);
     }
 }
 
-/// The value that a sharpened envelope has in the mean around a point, drawn linearly between it and the points beside it
-/// along both axes. So much was the envelope at the point before.
-pub(super) fn mean_drawn(here: Complex, beside: [[Complex; 2]; 2]) -> Complex {
-    let is_known = |value: &Complex| value.norm_squared() > 0.0;
-    let bend = |[a, b]: [Complex; 2]| (a + b - here * 2.0) * (1.0 / 12.0);
-    beside.into_iter().filter(|pair| pair.iter().all(is_known)).fold(here, |sum, pair| sum + bend(pair))
+/// The value that a sharpened envelope with the values `value` has in the mean around a point, drawn linearly to the points
+/// beside it. So much was it at the point before.
+pub(super) fn mean_drawn(
+    point: usize,
+    size: [usize; 2],
+    is_open: impl Fn(usize) -> bool,
+    value: impl Fn(usize) -> Complex,
+) -> Complex {
+    value(point) + bend(point, size, is_open, value)
+}
+
+/// A twelfth of the second differences at a point of a grid of `size` columns and rows.
+fn bend(
+    point: usize,
+    [columns, rows]: [usize; 2],
+    is_open: impl Fn(usize) -> bool,
+    value: impl Fn(usize) -> Complex,
+) -> Complex {
+    let mut sum = Complex::ZERO;
+    for (at, count, step) in [(point % columns, columns, 1), (point / columns, rows, columns)] {
+        let is_inside = at > 0 && at + 1 < count;
+        if is_inside && [point - step, point, point + step].into_iter().all(&is_open) {
+            sum += (value(point - step) + value(point + step) - value(point) * 2.0) * (1.0 / 12.0);
+        }
+    }
+    sum
 }
 
 #[cfg(test)]
@@ -144,16 +156,14 @@ mod tests {
             (sum / 400.0).sqrt()
         };
         let mut sharp = plain.clone();
-        sharpen(&mut sharp, columns);
+        sharpen(&mut sharp, columns, |_| true);
         assert!(rms(&plain) > 6_f64.sqrt() * rms(&sharp), "{} {}", rms(&plain), rms(&sharp));
         let at = 9 * columns + 11;
-        let beside = [[sharp[at - 1], sharp[at + 1]], [sharp[at - columns], sharp[at + columns]]];
-        assert!((mean_drawn(sharp[at], beside) - plain[at]).norm_squared().sqrt() < 2e-4);
-        // Land stays land, and the points beside it count as they are across the shore.
+        assert!((mean_drawn(at, [columns, rows], |_| true, |at| sharp[at]) - plain[at]).norm_squared().sqrt() < 2e-4);
+        // Of points beside the shore, only the axis along it counts.
         let mut coast = plain.clone();
-        (0..rows).for_each(|row| coast[row * columns + 12] = Complex::ZERO);
-        sharpen(&mut coast, columns);
-        assert_eq!(coast[9 * columns + 12], Complex::ZERO);
+        sharpen(&mut coast, columns, |point| point % columns < 12);
+        assert_eq!(coast[9 * columns + 12], plain[9 * columns + 12]);
         let along_only = plain[9 * columns + 11] * (1.0 + (1.0 - turn[1].cos()) / 6.0);
         assert!((coast[9 * columns + 11] - along_only).norm_squared() < 1e-20);
     }

@@ -72,6 +72,7 @@ impl SyntheticCoast {
             columns,
             rows,
             cell_m: self.cell_m,
+            least_depth_m: 0.0,
             lattice: LatticeKey { patch_m: cascade.patch_m, noise_key: cascade.noise_key, seed: plan.sea.seed },
             waves: Vec::new(),
             groups: Vec::new(),
@@ -102,7 +103,7 @@ impl SyntheticCoast {
                     Amplitude::polar(size, origin + (k[0] - mean[0]) * x + (k[1] - mean[1]) * y)
                 };
                 let mut envelope: Vec<Amplitude> = (0..rows * columns).map(envelope_at).collect();
-                sharpen(&mut envelope, columns);
+                sharpen(&mut envelope, columns, |_| true);
                 out.envelopes.extend(envelope.into_iter().map(|value| {
                     let [re, im] = [value.re, value.im].map(|v| u32::from(f16::from_f64(v).to_bits()));
                     re | im << 16

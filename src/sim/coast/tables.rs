@@ -152,7 +152,9 @@ mod tests {
         let square = CoastSquare::around(&transfer, 64);
         let side = GAINS_MAP_SIDE as usize;
         for (i, texel) in gain_texels(&transfer, &square).iter().enumerate() {
-            let x = square.corner_m[0] + (i % side) as f64 / side as f64 * square.side_m + 0.5 * square.side_m / side as f64;
+            let x = square.corner_m[0]
+                + (i % side) as f64 / side as f64 * square.side_m
+                + 0.5 * square.side_m / side as f64;
             let want = 1.1 * (x / 80.0).clamp(0.0, 1.0);
             assert!((f64::from(texel[3]) - want).abs() < 1e-3, "{} at {x} m, not {want}", texel[3]);
         }
