@@ -140,11 +140,11 @@ fn over_a_flat_bed_the_waves_are_those_of_the_open_sea() {
             }
         }
         let relative: [f64; 8] = std::array::from_fn(|k| (errors[k] / squares[k]).sqrt());
-        eprintln!("n {n}, {} waves, {count} texels: {relative:.4?}", waves.len());
+        eprintln!("n {n}, {} waves, {count} texels: {relative:.5?}", waves.len());
         assert!(count > 100);
-        // Elevations are exact but for linear envelopes and half floats; derivatives of waves of five texels and more have
-        // the error of differences of fourth order.
-        assert!(relative[0] < 0.006, "{relative:?}");
+        // Elevations are exact but for linear envelopes, the sampler's weights of 8 bits and half floats; derivatives of
+        // waves of five texels and more have the error of differences of fourth order.
+        assert!(relative[0] < 1e-3, "{relative:?}");
         assert!(relative[1..].iter().all(|e| *e < 0.03), "{relative:?}");
     }
 }

@@ -7,6 +7,7 @@ use seastate::coast::transfer::{TransferLimits, TransferSolver};
 use seastate::coast::{PlacedCoast, Transfer};
 use seastate::point::StrongestWaves;
 use seastate::point::floating::{HullWaves, hull_pose};
+use seastate::point::kinematics::WaterMotion;
 use seastate::state::floats::{FloatingObject, FloatingObjectKind};
 use seastate::waves::Plan;
 use seastate::waves::statistics::{initial_amplitude, lattice_indices};
@@ -168,6 +169,36 @@ fn hulls_float_on_the_waves_at_the_coast() {
         differs = differs.max((height(&coastal, t) - height(&open, t)).abs());
     }
     assert!(differs > 0.1, "{differs}");
+}
+
+/// Below the surface the water moves as linear waves of the depth there move it: in shallow water along the surface's
+/// slope, without a vertical velocity at the bed, and with the pressure of the elevation.
+#[test]
+fn water_moves_below_the_surface_at_a_coast() {
+    let (plan, transfer) = sea(STATE);
+    let heights = StrongestWaves::new(&plan, usize::MAX).with_coast(&plan, &transfer);
+    // In the open water of the coast, before the shore, and on land.
+    for (at, is_land) in [([300.0, 0.0], false), ([753.0, 211.0], false), ([950.0, 303.0], true)] {
+        let depth_m = transfer.gains(at).depth_m;
+        assert_eq!(depth_m < 0.0, is_land, "{depth_m}");
+        let [surface, bed] = [0.0, -100.0].map(|z| WaterMotion::at_coast(&plan, &transfer, at, z, usize::MAX));
+        for t in [3.0, 47.5, 120.0] {
+            let (top, bottom) = (surface.sample(t), bed.sample(t));
+            assert!(bottom.velocity_m_s[1].abs() < 1e-9);
+            if is_land {
+                assert_eq!(top.velocity_m_s, [0.0; 3]);
+                continue;
+            }
+            let gains = transfer.gains(at);
+            let want = heights.sample_undisplaced(at[0], at[1], t).height_m - gains.weight * gains.set_up_m;
+            assert!((top.linear_elevation_m - want).abs() < 1e-6, "{} {want}", top.linear_elevation_m);
+            // Kinematic boundary condition: the vertical velocity is the rate of the elevation.
+            let h = 0.05;
+            let rate =
+                (surface.sample(t + h).linear_elevation_m - surface.sample(t - h).linear_elevation_m) / (2.0 * h);
+            assert!((top.velocity_m_s[1] - rate).abs() < 0.02, "{} {rate}", top.velocity_m_s[1]);
+        }
+    }
 }
 
 #[test]

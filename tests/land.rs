@@ -87,6 +87,39 @@ fn shaders_find_the_depth_and_where_a_ray_meets_the_bed() {
     }
 }
 
+/// The sand is wet as far as the drawn waves run up at its place; before these are known, as far as those of the sea run
+/// up an open beach.
+#[test]
+fn wet_sand_follows_the_drawn_run_up() {
+    let (gpu, coast) = (common::gpu(), plane());
+    let text = "fn answer(q: Question) -> Answer { return Answer(vec4f(land_run_up_m(q[0].xy), 0.0, 0.0, 0.0)); }";
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+    let gains = gpu.texture("gains", [1, 1, 1], 1, wgpu::TextureFormat::Rgba16Float, usage);
+    gpu.write_texture(&gains, 0, bytemuck::cast_slice(&[1.0, 0.0, 1.0, 0.75].map(half::f16::from_f32)));
+    let gains = gains.create_view(&wgpu::TextureViewDescriptor::default());
+    let sampler = gpu.sampler("gains", [wgpu::AddressMode::ClampToEdge; 2], wgpu::MipmapFilterMode::Nearest);
+    let run_up_m = |has_coast: bool, state: &str| {
+        let ocean = Ocean::without_renderer(&gpu, &params(&format!("n=64&{state}")));
+        let mut scene = ocean.scene([64, 64]);
+        scene.has_coast = has_coast;
+        let mut kernel = wgsl::Kernel::<1, 1>::new(&gpu, &shaders(), "land/light", text);
+        let bytes = |bytes: &[u8]| wgsl::buffer(&gpu, bytes, BufferUsages::UNIFORM);
+        let land = bytes(bytemuck::bytes_of(&LandUniform::new(&coast, &scene)));
+        let frame = seastate::render::frame_uniform(&scene, ocean.maps(), [64, 64]);
+        let frame = bytes(bytemuck::bytes_of(&frame));
+        kernel.bind(
+            0,
+            &[(0, frame.as_entire_binding()), (5, BindingResource::Sampler(&sampler)), (15, land.as_entire_binding())],
+        );
+        kernel.bind(1, &[(6, BindingResource::TextureView(&gains))]);
+        kernel.ask(&[[[3.0, 4.0, 0.0, 0.0]]])[0][0][0]
+    };
+    // Stockdon et al. 2006: 2 m and 10 s on a slope of 0.08 give 1.39 m.
+    let of_sea = run_up_m(false, "hs=2&tp=10&depth=200");
+    assert!((of_sea - 1.39).abs() < 0.05, "{of_sea}");
+    assert!((run_up_m(true, "hs=2&tp=10&depth=200") - 0.75).abs() < 1e-3);
+}
+
 /// Height, m, of the ridge of [`ridge`], and its distance from the sea's edge of the coast.
 const RIDGE_M: [f64; 2] = [12.0, 400.0];
 

@@ -5,7 +5,7 @@ const LAND_ROCK_SLOPES = vec2f(0.45, 0.85);
 // Height above the still water, m, at which the first dune grass grows.
 const LAND_GRASS_M = 3.2;
 // Fractions of its albedo, RGB, that wet sand keeps.
-const LAND_DAMP = vec3f(0.60, 0.56, 0.52);
+const LAND_DAMP = vec3f(0.54, 0.50, 0.46);
 // Albedos.
 const LAND_MARRAM = vec3f(0.112, 0.122, 0.056);
 const LAND_STRAW = vec3f(0.235, 0.200, 0.112);
@@ -18,19 +18,23 @@ const LAND_WEED = vec3f(0.030, 0.034, 0.016);
 const LAND_BLOCK = vec3f(0.175, 0.168, 0.155);
 const LAND_CONCRETE = vec3f(0.400, 0.385, 0.355);
 
-// Albedo of dry sand of a beach relative to that of the bed's, RGB: it is coarser, and the wind has sorted it.
-const LAND_SAND = vec3f(0.55, 0.52, 0.49);
+// Albedo of dry sand relative to that of sand whose pores are full of water, as on the bed: water between the grains
+// turns light less, so that it goes deeper (Twomey, Bohren and Mergenthaler 1986).
+const LAND_DRY = 1.1;
 
 // Albedo of dry sand, from its noises over tens of metres and over metres.
 fn land_sand_albedo(middle: vec4f, fine: vec4f) -> vec3f {
-  return material.bed_colour * LAND_SAND * max(1.0 + 0.05 * middle.z + 0.06 * fine.z, 0.5);
+  return material.bed_colour * LAND_DRY * max(1.0 + 0.05 * middle.z + 0.06 * fine.z, 0.5);
 }
 
-// Share of sand that is wet (x), and that a film of water covers (y), at a height above the still water, m, where noise
-// bends the lines.
-fn land_wetness(height: f32, bend: f32) -> vec2f {
-  let at = height + 0.14 * bend;
-  return 1.0 - vec2f(maths_smooth((at - land.run_up_m) * 1.6 + 0.4), maths_smooth((at - land.film_m) * 2.2 + 0.5));
+// Height up to which a film of water covers the sand, relative to that which the waves run up: by Stockdon's formula the
+// set-up and an eighth of the swash are 0.45 to 0.52 of the run-up, on slopes of 4 to 10 %.
+const LAND_FILM_SHARE = 0.5;
+
+// Share of ground that is wet at a height above the still water, m, where the waves run up to the height `run_up`, m.
+// Noise bends the line.
+fn land_wetness(height: f32, bend: f32, run_up: f32) -> f32 {
+  return 1.0 - maths_smooth((height + 0.14 * bend - run_up) * 1.6 + 0.4);
 }
 
 // Share of rock in ground of a slope.
@@ -47,7 +51,7 @@ fn land_built_share(map: vec4f) -> f32 {
 // land_at.
 fn land_mean_albedo(place: vec2f, map: vec4f) -> vec3f {
   let height = map.x;
-  var albedo = material.bed_colour * LAND_SAND * mix(vec3f(1.0), LAND_DAMP, land_wetness(height, 0.0).x);
+  var albedo = material.bed_colour * LAND_DRY * mix(vec3f(1.0), LAND_DAMP, land_wetness(height, 0.0, land.run_up_m));
   let back = maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5));
   let green = mix(mix(LAND_MARRAM, LAND_STRAW, 0.37), 0.5 * (LAND_HEATH + LAND_TURF), back);
   albedo = mix(albedo, green, max(saturate(0.54 * (height - LAND_GRASS_M)), back));

@@ -13,19 +13,21 @@ struct LandGround {
 }
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
-fn land_sand(height: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) -> LandGround {
-  let wet = land_wetness(height, middle.z);
+fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) -> LandGround {
+  let wet = land_wetness(height, middle.z, run_up);
   // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
-  let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet.x);
+  let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
   var out: LandGround;
   out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.07 * rippled * fine.y);
   // Driftweed lies along the line that the highest waves reach.
-  let line = (height + 0.16 * middle.z - land.run_up_m - 0.12) * 4.5;
+  let line = (height + 0.16 * middle.z - run_up - 0.12) * 4.5;
   let weed = exp(-line * line) * saturate(1.1 * fine.w + 0.5 * fine.z + 0.5 * middle.w - 0.45);
   out.albedo = mix(out.albedo, LAND_WEED, 0.8 * saturate(weed));
-  out.albedo *= mix(vec3f(1.0), LAND_DAMP, wet.x);
+  out.albedo *= mix(vec3f(1.0), LAND_DAMP, wet);
   out.relief = vec2f(0.30 * rippled * fine.x, 0.0);
-  out.film = wet.y;
+  // The film drains through the sand: its edge has lobes.
+  let lobes = 0.10 * middle.z + 0.06 * fine.w + 0.04 * fine.z;
+  out.film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 5.0 + 0.5);
   return out;
 }
 
@@ -62,7 +64,7 @@ fn land_plants(
 }
 
 // Bedrock in layers, dark and weedy where waves keep it wet.
-fn land_rock(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> LandGround {
+fn land_rock(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> LandGround {
   // Layers dip gently; cracks cross them.
   let layer = height + 0.11 * place.x - 0.05 * place.y + 1.1 * wide.z;
   let strata = land_noise(vec2f(0.045 * (place.x - place.y), layer), 11.0, 0.25 * size);
@@ -72,10 +74,10 @@ fn land_rock(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, w
   out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.16 * face.w + 0.10 * fine.z, 0.3);
   // Lichen and iron colour what the spray no longer reaches.
   out.albedo *= mix(vec3f(1.0), vec3f(1.16, 1.0, 0.80), saturate(0.4 * wide.w + 0.3 * middle.w));
-  let wet = land_wetness(height - 0.5, 1.4 * middle.z);
-  out.albedo = mix(out.albedo, LAND_WEED + 0.18 * out.albedo, 0.85 * wet.x);
+  let wet = land_wetness(height - 0.5, 1.4 * middle.z, run_up);
+  out.albedo = mix(out.albedo, LAND_WEED + 0.18 * out.albedo, 0.85 * wet);
   out.relief = vec2f(0.35 * face.z + 0.25 * strata.z, 0.32 * face.w);
-  out.film = 0.35 * wet.x;
+  out.film = 0.35 * wet;
   return out;
 }
 
@@ -83,15 +85,15 @@ fn land_rock(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, w
 const LAND_BLOCKS_M = 31.0;
 
 // Blocks of a breakwater: light stone above, weed below, and dark gaps between.
-fn land_rubble(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
+fn land_rubble(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
   let blocks = land_noise(place + 0.7 * height, LAND_BLOCKS_M, size);
   let gap = saturate(-0.55 * blocks.w - 0.1);
   var out: LandGround;
   out.albedo = LAND_BLOCK * max(1.0 + 0.16 * middle.z + 0.13 * blocks.z + 0.08 * fine.z, 0.3) * (1.0 - 0.8 * gap);
-  let wet = land_wetness(height - 0.3, 1.5 * middle.z);
-  out.albedo = mix(out.albedo, LAND_WEED + 0.2 * out.albedo, 0.9 * wet.x);
+  let wet = land_wetness(height - 0.3, 1.5 * middle.z, run_up);
+  out.albedo = mix(out.albedo, LAND_WEED + 0.2 * out.albedo, 0.9 * wet);
   out.relief = vec2f(0.5 * blocks.z + 0.25 * fine.w, 0.45 * blocks.w);
-  out.film = 0.3 * wet.x;
+  out.film = 0.3 * wet;
   return out;
 }
 
@@ -107,12 +109,12 @@ fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4
 }
 
 // The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there, `size`
-// the width of the texels that are averaged over the pixel, m.
-fn land_ground(place: vec2f, height: f32, map: vec4f, slope: vec2f, size: f32) -> LandGround {
+// the width of the texels that are averaged over the pixel, m. Waves run up to the height `run_up`, m.
+fn land_ground(place: vec2f, height: f32, run_up: f32, map: vec4f, slope: vec2f, size: f32) -> LandGround {
   let wide = land_noise(place, LAND_WIDE_M, size);
   let middle = land_noise(place.yx, LAND_MIDDLE_M, size);
   let fine = land_noise(land_turned(place), LAND_FINE_M, size);
-  var out = land_sand(height, middle, fine, wide, size);
+  var out = land_sand(height, run_up, middle, fine, wide, size);
   if height > LAND_GRASS_M - 2.0 {
     out = land_plants(out, place, height, size, middle, fine, wide);
   }
@@ -120,14 +122,14 @@ fn land_ground(place: vec2f, height: f32, map: vec4f, slope: vec2f, size: f32) -
   let rock = land_rock_share(steep);
   let built = land_built_share(map);
   if rock * (1.0 - built) > 0.0 {
-    let stone = land_rock(place, height, size, middle, fine, wide);
+    let stone = land_rock(place, height, run_up, size, middle, fine, wide);
     out = LandGround(
       mix(out.albedo, stone.albedo, rock), mix(out.relief, stone.relief, rock), mix(out.film, stone.film, rock));
   }
   if built > 0.0 {
     var made = land_concrete(place, height, size, middle, fine);
     if map.w < 0.0 {
-      made = land_rubble(place, height, size, middle, fine);
+      made = land_rubble(place, height, run_up, size, middle, fine);
     }
     out = LandGround(
       mix(out.albedo, made.albedo, built), mix(out.relief, made.relief, built), mix(out.film, made.film, built));

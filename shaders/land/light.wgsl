@@ -2,6 +2,8 @@
 
 @group(0) @binding(9) var<uniform> material: Material;
 @group(1) @binding(0) var<storage, read> land_vertices: array<LandVertex>;
+// The map of shaders/water/coast.wgsl. The height that waves run up the land is in its fourth channel.
+@group(1) @binding(6) var coast_gains_map: texture_2d<f32>;
 
 struct LandMeshFragment {
   @builtin(position) clip: vec4f,
@@ -40,7 +42,7 @@ fn land_open_sky(place: vec2f, height: f32, size: f32) -> f32 {
 }
 
 // Standard deviation of the slopes of a film of water on sand.
-const LAND_FILM_ROUGHNESS = 0.05;
+const LAND_FILM_ROUGHNESS = 0.025;
 
 // Light that a film of water mirrors towards the eye (rgb), and its reflectance (w).
 fn land_film_mirror(v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
@@ -71,6 +73,16 @@ fn land_beyond(place: vec2f) -> f32 {
   return maths_smooth(0.01 * max(outside.x, outside.y));
 }
 
+// Height above the still water, m, that the waves run up the land at a point (x, z) relative to the one below the eye.
+fn land_run_up_m(at: vec2f) -> f32 {
+  if land.has_waves == 0.0 {
+    return land.run_up_m;
+  }
+  let half_texel = 0.5 / vec2f(textureDimensions(coast_gains_map));
+  let uv = clamp(frame.coast_uv_below_eye + at * frame.coast_inverse_side, half_texel, 1.0 - half_texel);
+  return textureSampleLevel(coast_gains_map, sky_sampler, uv, 0.0).w;
+}
+
 @fragment
 fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
@@ -90,7 +102,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let size = 0.58 * frame.pixel_angle * distance_m * inverseSqrt(max(facing, 0.02));
   let map = land_at(place, land_lod(size));
   let slope = mix(map.yz, mesh_slope, is_outside);
-  let ground = land_ground(place, height, map * (1.0 - is_outside), slope, size);
+  let ground = land_ground(place, height, land_run_up_m(position.xz), map * (1.0 - is_outside), slope, size);
 
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(position.xz, log2(max(size, 1.0)));
@@ -116,7 +128,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let mirror = land_film_mirror(v, smooth_tilt, sunlight);
     let entering = sunlight * (cosine * (1.0 - water_fresnel(cosine))) + 0.934 * sky_light;
     let spread = material.inverse_relative_index * material.inverse_relative_index;
-    let wet = ground.albedo / LAND_DAMP * entering / ATM_PI;
+    let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, ground.film);
   }
   let air = air_to_point(dir, distance_m);

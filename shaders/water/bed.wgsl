@@ -157,23 +157,6 @@ fn bed_caustic_gain(entry: vec2f, depth_m: f32, filter_m: f32) -> f32 {
   return sqrt((1.0 + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR) / (det * det + BED_CAUSTIC_BLUR * BED_CAUSTIC_BLUR));
 }
 
-// The albedo of the ground near the shore goes over into that of the land, which has neither seagrass nor reefs, where
-// the water is this deep, m: all land (x), and all bed (y).
-const BED_SHORE_M = vec2f(0.8, 3.5);
-
-// Share of the land's look in the bed under a column of water.
-fn bed_shore_share(column: f32) -> f32 {
-  return 1.0 - maths_smooth((column - BED_SHORE_M.x) / (BED_SHORE_M.y - BED_SHORE_M.x));
-}
-
-// The ground of the bed near the shore, at `at` relative to the point below the eye: sand as on the beach.
-fn bed_shore_ground(ground: BedGround, at: vec2f, column: f32, size: f32) -> BedGround {
-  let share = bed_shore_share(column);
-  let place = land_place(at);
-  let sand = land_sand_albedo(land_noise(place.yx, LAND_MIDDLE_M, size), land_noise(land_turned(place), LAND_FINE_M, size));
-  return BedGround(mix(ground.albedo, sand, share), ground.slope * (1.0 - share * share));
-}
-
 // Radiance inside the water towards the surface where the bed is visible. `deep`: radiance of bottomless water;
 // `place`: surface point (x, z) relative to the eye, m; `ray`: direction down into the water; `size`: length along the
 // ray and width of the texels that are averaged over the pixel, m; `variance`: covariance (xx, zz, xz) of the slopes

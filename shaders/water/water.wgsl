@@ -99,6 +99,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   var foam: FoamAmount;
   if WATER_FOAM {
     foam = foam_level(point.undisplaced, foot);
+    if WATER_LAND {
+      foam = shore_add_lace(foam, point.position.xz, point.height, WATER_TAP_TEXEL_RATIO * foot.length_m);
+    }
     if WATER_HULLS {
       foam = wake_add_foam(foam, wake);
     }

@@ -2,13 +2,17 @@
 //! for codes that compute ships and platforms.
 
 use super::write_file;
+use crate::coast::transfer::TransferSolver;
+use crate::coast::{PlacedCoast, Transfer};
 use crate::files::netcdf::{self, Attribute, NewVariable, Values};
+use crate::ocean::coast_task::solve_at_once;
 use crate::point::StrongestWaves;
-use crate::point::kinematics::WaterMotion;
+use crate::point::kinematics::{WaterMotion, depth_at_coast_m};
 use crate::state::{Params, query};
 use crate::waves::Plan;
 use std::fmt::Write as _;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Largest number of samples, times times points.
 const MAX_SAMPLES: f64 = 20e6;
@@ -84,17 +88,28 @@ pub fn run(params: &Params, settings: &RecordSettings) -> Result<Record, String>
         if ![x_m, y_m, height_m.unwrap_or_default()].iter().all(|v| v.abs() <= 1e7) {
             return Err("a point is more than 10,000 km away".into());
         }
-        if height_m.is_some_and(|z| z < -plan.sea.depth_m) {
-            return Err(format!("a point is below the bed, which is {} m deep", plan.sea.depth_m));
+    }
+    let transfer = transfer(params)?;
+    for &(x_m, y_m, height_m) in &settings.points {
+        let depth_m = transfer.as_ref().map_or(plan.sea.depth_m, |t| depth_at_coast_m(&plan, t, [x_m, -y_m]));
+        if height_m.is_some_and(|z| z < -depth_m) {
+            return Err(format!("the point {x_m},{y_m} is below the bed, which is {depth_m} m deep there"));
         }
     }
-    let surface = StrongestWaves::new(&plan, settings.wave_count);
+    let mut surface = StrongestWaves::new(&plan, settings.wave_count);
+    if let Some(transfer) = &transfer {
+        surface = surface.with_coast(&plan, transfer);
+    }
+    let motion_at = |at: [f64; 2], height_m: f64| match &transfer {
+        Some(transfer) => WaterMotion::at_coast(&plan, transfer, at, height_m, settings.wave_count),
+        None => WaterMotion::new(&plan, at, height_m, settings.wave_count),
+    };
     let times_s: Vec<f64> = (0..count as usize).map(|i| params.clock.t_s + i as f64 / settings.rate_hz).collect();
     let mut values = vec![[0.0; 5]; times_s.len() * settings.points.len()];
     for (i, &(x_m, y_m, height_m)) in settings.points.iter().enumerate() {
         // The world's z axis points south.
         let at = [x_m, -y_m];
-        let motion = height_m.map(|z| (z, WaterMotion::new(&plan, at, z, settings.wave_count)));
+        let motion = height_m.map(|z| (z, motion_at(at, z)));
         for (t, out) in times_s.iter().zip(values.iter_mut().skip(i).step_by(settings.points.len())) {
             let sample = surface.sample(at[0], at[1], *t);
             let eta = sample.height_m - plan.sea.still_water_level_m;
@@ -116,6 +131,12 @@ pub fn run(params: &Params, settings: &RecordSettings) -> Result<Record, String>
         state: query::write(params),
         residual_rms_m: surface.residual_rms_m(),
     })
+}
+
+/// What the coast of a state makes of its waves, which takes seconds; `None` in the open sea.
+fn transfer(params: &Params) -> Result<Option<Arc<Transfer>>, String> {
+    let coast = PlacedCoast::of_state(&params.coast, None)?;
+    Ok(coast.map(|coast| Arc::new(solve_at_once::<TransferSolver>(params, &coast))))
 }
 
 impl Record {

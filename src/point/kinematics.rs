@@ -6,19 +6,25 @@
 //! the amplitude rho a omega^2 / k cosh(k (z + h)) / sinh(k h), which for gravity waves is rho g a cosh(k (z + h)) /
 //! cosh(k h). In deep water all three fall as e^(k z).
 
+use crate::coast::Transfer;
+use crate::coast::local_wave::LocalWave;
+use crate::coast::transfer::CoastalWaves;
 use crate::waves::Plan;
-use crate::waves::lattice::period_fraction_u32;
+use crate::waves::lattice::{LatticeWave, period_fraction_u32};
 use crate::waves::statistics::{initial_amplitude, lattice_indices};
 use crate::waves::table::{SpectrumTable, entry_index};
+use std::collections::HashSet;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// One wave at a fixed point.
 #[derive(Clone, Copy, Debug)]
 struct WaveAtPoint {
     /// Complex amplitude (re, im) of the elevation at the point at time 0, m.
     amplitude_m: [f64; 2],
-    /// Unit vector (x, z) of travel.
-    direction: [f64; 2],
+    /// That amplitude times the unit vector (x, z) of travel. Waves of a coast have no single direction, before a wall for
+    /// instance: there it is -i grad A / k with the complex amplitude A(x, z).
+    along_m: [[f64; 2]; 2],
     cycles_per_period: u32,
     omega_rad_s: f64,
     wave_number_rad_m: f64,
@@ -50,44 +56,59 @@ pub struct WaterSample {
 impl WaterMotion {
     /// Takes the `wave_count` strongest waves of a planned sea at the point (x, z) of the world, m, and at `height_m`
     /// from the still water, m. Heights above 0 count as 0, those below the bed as the bed.
-    pub fn new(plan: &Plan, [x_m, z_m]: [f64; 2], height_m: f64, wave_count: usize) -> Self {
-        let mut waves = Vec::new();
-        for cascade in &plan.cascades {
-            let table = SpectrumTable::new(plan, cascade);
-            let copies = plan.tiling(cascade).patch_copies_at([x_m, z_m]);
-            let place = [x_m, z_m].map(|v| v % cascade.patch_m / cascade.patch_m);
-            for (ix, iz) in lattice_indices(plan.n) {
-                let wave = table.waves[entry_index(ix, iz)];
-                if wave.k == 0.0 {
-                    continue;
-                }
-                // A blend of shifted copies of the patch is one wave at a fixed point.
-                let mut phasor = [0.0; 2];
-                for copy in copies.iter().filter(|c| c.weight > 0.0) {
-                    let at = [0, 1].map(|i| place[i] + copy.shift_in_patches[i]);
-                    let (sin, cos) = (TAU * (f64::from(ix) * at[0] + f64::from(iz) * at[1]).fract()).sin_cos();
-                    phasor = [phasor[0] + copy.weight * cos, phasor[1] + copy.weight * sin];
-                }
-                let [re, im] = initial_amplitude(plan, cascade, &table, ix, iz);
-                let amplitude_m = [2.0 * (re * phasor[0] - im * phasor[1]), 2.0 * (re * phasor[1] + im * phasor[0])];
-                if amplitude_m == [0.0; 2] {
-                    continue;
-                }
-                waves.push(WaveAtPoint {
-                    amplitude_m,
-                    direction: [ix, iz].map(|i| f64::from(i) * cascade.dk() / wave.k),
-                    cycles_per_period: wave.cycles_per_period,
-                    omega_rad_s: wave.omega,
-                    wave_number_rad_m: wave.k,
-                    velocity_factors: velocity_factors(
-                        wave.k,
-                        wave.orbit_width_over_height,
-                        plan.sea.depth_m,
-                        height_m.min(0.0),
-                    ),
-                });
-            }
+    pub fn new(plan: &Plan, at: [f64; 2], height_m: f64, wave_count: usize) -> Self {
+        let waves = open_waves(
+            plan,
+            at,
+            |_| 1.0,
+            |wave| velocity_factors(wave.k, wave.orbit_width_over_height, plan.sea.depth_m, height_m.min(0.0)),
+        );
+        Self::strongest(plan, waves, wave_count)
+    }
+
+    /// As [`Self::new`], at a coast: with what this makes of the waves, in the depth there. There is no motion on land. A
+    /// transfer of another sea changes nothing.
+    pub fn at_coast(plan: &Plan, transfer: &Arc<Transfer>, at: [f64; 2], height_m: f64, wave_count: usize) -> Self {
+        let Some(coast) = CoastalWaves::new(transfer.clone(), plan) else {
+            return Self::new(plan, at, height_m, wave_count);
+        };
+        let gains = transfer.gains(at);
+        let coastal: HashSet<[i32; 2]> = transfer.waves.iter().map(|wave| wave.lattice_index).collect();
+        let gain = |index: Option<[i32; 2]>| {
+            let is_coastal = index.is_some_and(|index| coastal.contains(&index));
+            gains.short_gain * if is_coastal { 1.0 - gains.weight } else { 1.0 }
+        };
+        // The wave numbers are those of the depth at the point.
+        let depth_m = depth_at_coast_m(plan, transfer, at);
+        if depth_m <= 0.0 {
+            return Self::strongest(plan, Vec::new(), 0);
         }
+        let local = |omega_rad_s: f64| {
+            let k = LocalWave::new(omega_rad_s, depth_m, plan.sea.gravity_m_s2).k;
+            (k, velocity_factors(k, 1.0 / (k * depth_m).tanh(), depth_m, height_m.min(0.0)))
+        };
+        let mut waves = open_waves(plan, at, gain, |wave| {
+            if depth_m == plan.sea.depth_m {
+                velocity_factors(wave.k, wave.orbit_width_over_height, depth_m, height_m.min(0.0))
+            } else {
+                local(wave.omega).1
+            }
+        });
+        waves.extend(coast.at_point(at).into_iter().filter(|_| gains.weight > 0.0).map(|wave| {
+            let (k, velocity_factors) = local(wave.omega_rad_s);
+            WaveAtPoint {
+                amplitude_m: wave.amplitude_m.map(|part| gains.weight * part),
+                along_m: wave.gradient.map(|[re, im]| [im, -re].map(|part| gains.weight / k * part)),
+                cycles_per_period: wave.cycles_per_period,
+                omega_rad_s: wave.omega_rad_s,
+                wave_number_rad_m: k,
+                velocity_factors,
+            }
+        }));
+        Self::strongest(plan, waves, wave_count)
+    }
+
+    fn strongest(plan: &Plan, mut waves: Vec<WaveAtPoint>, wave_count: usize) -> Self {
         let energy = |w: &WaveAtPoint| w.amplitude_m[0].powi(2) + w.amplitude_m[1].powi(2);
         waves.sort_by(|a, b| energy(b).total_cmp(&energy(a)));
         waves.truncate(wave_count);
@@ -103,16 +124,67 @@ impl WaterMotion {
             let (sin, cos) = (-TAU * turns).sin_cos();
             let [re, im] = wave.amplitude_m;
             let (elevation, quadrature) = (re * cos - im * sin, re * sin + im * cos);
+            let along = wave.along_m.map(|[re, im]| re * cos - im * sin);
             let [horizontal, vertical] = wave.velocity_factors.map(|f| f * wave.omega_rad_s);
             sum.linear_elevation_m += elevation;
-            sum.velocity_m_s[0] += horizontal * elevation * wave.direction[0];
+            sum.velocity_m_s[0] += horizontal * along[0];
             sum.velocity_m_s[1] += vertical * quadrature;
-            sum.velocity_m_s[2] += horizontal * elevation * wave.direction[1];
+            sum.velocity_m_s[2] += horizontal * along[1];
             sum.dynamic_pressure_pa +=
                 self.density_kg_m3 * wave.omega_rad_s / wave.wave_number_rad_m * horizontal * elevation;
         }
         sum
     }
+}
+
+/// Depth of the still water, m, at the point `at` (x, z) of the world, m; negative on land. Around the coast it is that of
+/// the open sea.
+pub fn depth_at_coast_m(plan: &Plan, transfer: &Transfer, at: [f64; 2]) -> f64 {
+    let gains = transfer.gains(at);
+    if gains.weight > 0.0 { gains.depth_m } else { plan.sea.depth_m }
+}
+
+/// All waves of the open sea at a point, times `gain`, which gets the lattice indices of waves of the first cascade.
+fn open_waves(
+    plan: &Plan,
+    [x_m, z_m]: [f64; 2],
+    gain: impl Fn(Option<[i32; 2]>) -> f64,
+    velocity_factors: impl Fn(&LatticeWave) -> [f64; 2],
+) -> Vec<WaveAtPoint> {
+    let mut waves = Vec::new();
+    for (number, cascade) in plan.cascades.iter().enumerate() {
+        let table = SpectrumTable::new(plan, cascade);
+        let copies = plan.tiling(cascade).patch_copies_at([x_m, z_m]);
+        let place = [x_m, z_m].map(|v| v % cascade.patch_m / cascade.patch_m);
+        for (ix, iz) in lattice_indices(plan.n) {
+            let wave = table.waves[entry_index(ix, iz)];
+            if wave.k == 0.0 {
+                continue;
+            }
+            // A blend of shifted copies of the patch is one wave at a fixed point.
+            let mut phasor = [0.0; 2];
+            for copy in copies.iter().filter(|c| c.weight > 0.0) {
+                let at = [0, 1].map(|i| place[i] + copy.shift_in_patches[i]);
+                let (sin, cos) = (TAU * (f64::from(ix) * at[0] + f64::from(iz) * at[1]).fract()).sin_cos();
+                phasor = [phasor[0] + copy.weight * cos, phasor[1] + copy.weight * sin];
+            }
+            let scale = 2.0 * gain((number == 0).then_some([ix, iz]));
+            let [re, im] = initial_amplitude(plan, cascade, &table, ix, iz).map(|part| scale * part);
+            let amplitude_m = [re * phasor[0] - im * phasor[1], re * phasor[1] + im * phasor[0]];
+            if amplitude_m == [0.0; 2] {
+                continue;
+            }
+            waves.push(WaveAtPoint {
+                amplitude_m,
+                along_m: [ix, iz].map(|i| amplitude_m.map(|part| f64::from(i) * cascade.dk() / wave.k * part)),
+                cycles_per_period: wave.cycles_per_period,
+                omega_rad_s: wave.omega,
+                wave_number_rad_m: wave.k,
+                velocity_factors: velocity_factors(&wave),
+            });
+        }
+    }
+    waves
 }
 
 /// Factors cosh(k (z + h)) / sinh(k h) and sinh(k (z + h)) / sinh(k h) at the height z = `height_m` <= 0 over a bed at

@@ -105,6 +105,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     LAND,
     part!("land/mirrored.wgsl"),
     part!("water/bed.wgsl"),
+    part!("water/shore.wgsl"),
     part!("water/foam.wgsl"),
     part!("water/foam_look.wgsl"),
     part!("water/foam_light.wgsl"),

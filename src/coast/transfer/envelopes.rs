@@ -81,11 +81,90 @@ impl Envelopes {
         }
     }
 
-    /// Multiplies a wave by a factor at some points.
-    pub(super) fn scale(&mut self, index: usize, factors: &[(usize, f64)]) {
+    /// Multiplies a wave by a factor at some points, and sharpens it at those of open water. So it is ready.
+    pub(super) fn scale(&mut self, index: usize, factors: &[(usize, f64)], is_open: impl Fn(usize) -> bool) {
         let out = &mut self.packed[index * self.points..(index + 1) * self.points];
-        for (point, factor) in factors {
-            out[*point] = pack(unpack(out[*point]) * *factor);
+        let mut envelope: Vec<Complex> = out.iter().map(|bits| unpack(*bits)).collect();
+        factors.iter().for_each(|(point, factor)| envelope[*point] *= *factor);
+        sharpen(&mut envelope, self.columns, is_open);
+        out.iter_mut().zip(&envelope).for_each(|(bits, value)| *bits = pack(*value));
+    }
+}
+
+/// Changes an envelope with `columns` points in a row so that it is best drawn linearly between its points. An envelope
+/// that bends lies outside of the lines between its values, by delta^2 / 12 in the mean if its phase turns by delta from
+/// point to point. A twelfth of the second differences moves the points so far outwards. That leaves the least mean square
+/// error, less than half of what it was. Only points for which `is_open` move, along an axis on which both points beside
+/// them are open, too.
+pub fn sharpen(envelope: &mut [Complex], columns: usize, is_open: impl Fn(usize) -> bool) {
+    let before = envelope.to_vec();
+    let rows = before.len() / columns.max(1);
+    for (point, out) in envelope.iter_mut().enumerate() {
+        *out = *out - bend(point, [columns, rows], &is_open, |at| before[at]);
+    }
+}
+
+/// The value that a sharpened envelope with the values `value` has in the mean around a point, drawn linearly to the points
+/// beside it. So much was it at the point before.
+pub(super) fn mean_drawn(
+    point: usize,
+    size: [usize; 2],
+    is_open: impl Fn(usize) -> bool,
+    value: impl Fn(usize) -> Complex,
+) -> Complex {
+    value(point) + bend(point, size, is_open, value)
+}
+
+/// A twelfth of the second differences at a point of a grid of `size` columns and rows.
+fn bend(
+    point: usize,
+    [columns, rows]: [usize; 2],
+    is_open: impl Fn(usize) -> bool,
+    value: impl Fn(usize) -> Complex,
+) -> Complex {
+    let mut sum = Complex::ZERO;
+    for (at, count, step) in [(point % columns, columns, 1), (point / columns, rows, columns)] {
+        let is_inside = at > 0 && at + 1 < count;
+        if is_inside && [point - step, point, point + step].into_iter().all(&is_open) {
+            sum += (value(point - step) + value(point + step) - value(point) * 2.0) * (1.0 / 12.0);
         }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The rms error of linear interpolation of a turning envelope falls by the square root of 6 along one axis, and more
+    /// along both. The envelope before can be told from the sharpened one.
+    #[test]
+    fn sharpened_envelopes_are_drawn_better() {
+        let (columns, rows, turn) = (24, 20, [0.3, -0.2]);
+        let wave = |x: f64, y: f64| Complex::polar(0.7, turn[0] * x + turn[1] * y);
+        let plain: Vec<Complex> =
+            (0..columns * rows).map(|i| wave((i % columns) as f64, (i / columns) as f64)).collect();
+        let rms = |values: &[Complex]| {
+            let mut sum = 0.0;
+            for i in 0..400_usize {
+                let [p, q] = [i % 20, i / 20].map(|part| (part as f64 + 0.5) / 20.0);
+                let at = |dx: usize, dy: usize| values[(9 + dy) * columns + 10 + dx];
+                let low = at(0, 0) * (1.0 - p) + at(1, 0) * p;
+                let high = at(0, 1) * (1.0 - p) + at(1, 1) * p;
+                sum += (low * (1.0 - q) + high * q - wave(10.0 + p, 9.0 + q)).norm_squared();
+            }
+            (sum / 400.0).sqrt()
+        };
+        let mut sharp = plain.clone();
+        sharpen(&mut sharp, columns, |_| true);
+        assert!(rms(&plain) > 6_f64.sqrt() * rms(&sharp), "{} {}", rms(&plain), rms(&sharp));
+        let at = 9 * columns + 11;
+        assert!((mean_drawn(at, [columns, rows], |_| true, |at| sharp[at]) - plain[at]).norm_squared().sqrt() < 2e-4);
+        // Of points beside the shore, only the axis along it counts.
+        let mut coast = plain.clone();
+        sharpen(&mut coast, columns, |point| point % columns < 12);
+        assert_eq!(coast[9 * columns + 12], plain[9 * columns + 12]);
+        let along_only = plain[9 * columns + 11] * (1.0 + (1.0 - turn[1].cos()) / 6.0);
+        assert!((coast[9 * columns + 11] - along_only).norm_squared() < 1e-20);
     }
 }

@@ -1,7 +1,7 @@
 //! The waves of a transfer at a point and a time, in double precision.
 
-use super::Transfer;
 use super::half_float::unpack;
+use super::{Transfer, WaveGroup};
 use crate::coast::complex::Complex;
 use crate::waves::Plan;
 use crate::waves::statistics::initial_amplitude;
@@ -65,6 +65,21 @@ pub struct CoastalGains {
     pub weight: f64,
     /// Mean level, m.
     pub set_up_m: f64,
+    /// Depth below the still water, m; negative on land.
+    pub depth_m: f64,
+}
+
+/// A wave of a transfer at a fixed point of the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoastalWaveAtPoint {
+    /// Complex amplitude (re, im) of the elevation at time 0, m.
+    pub amplitude_m: [f64; 2],
+    /// Gradient of that amplitude along x and z, as (re, im). For a plane wave it is i k times the amplitude.
+    pub gradient: [[f64; 2]; 2],
+    /// Angular frequency, rad/s.
+    pub omega_rad_s: f64,
+    /// Number of cycles in the period of the sea.
+    pub cycles_per_period: u32,
 }
 
 /// The cell of a point, and the place in it: 0 to 1 along both axes.
@@ -75,6 +90,27 @@ struct Place {
     /// Distance along the shore, m.
     y_m: f64,
     is_inside: bool,
+}
+
+impl Place {
+    /// Value and derivatives (x, y, xy) of a field that is bilinear between its values at the corners of the cell.
+    fn derivatives(&self, [a, b, c, d]: [Complex; 4], cell_m: f64) -> [Complex; 4] {
+        let [p, q] = self.part;
+        let (low, high) = (a * (1.0 - p) + b * p, c * (1.0 - p) + d * p);
+        let value = low * (1.0 - q) + high * q;
+        let x = ((b - a) * (1.0 - q) + (d - c) * q) * (1.0 / cell_m);
+        let y = (high - low) * (1.0 / cell_m);
+        let xy = (a - b - c + d) * (1.0 / (cell_m * cell_m));
+        [value, x, y, xy]
+    }
+
+    /// Twice the carrier of a group, and its wave numbers along x and y, rad/m.
+    fn carrier(&self, group: &WaveGroup, cell_m: f64) -> (Complex, [f64; 2]) {
+        let phases = &group.column_phase_rad;
+        let step_rad = phases[self.column + 1] - phases[self.column];
+        let phase = phases[self.column] + self.part[0] * step_rad + group.ky_rad_m * self.y_m;
+        (Complex::polar(2.0, phase), [step_rad / cell_m, group.ky_rad_m])
+    }
 }
 
 impl CoastalWaves {
@@ -107,6 +143,33 @@ impl CoastalWaves {
         &self.transfer
     }
 
+    /// All waves at the point `at_m` (x, z) of the world, m; none outside the grid.
+    pub fn at_point(&self, at_m: [f64; 2]) -> Vec<CoastalWaveAtPoint> {
+        let (transfer, place) = (&*self.transfer, self.transfer.place(at_m));
+        if !place.is_inside {
+            return Vec::new();
+        }
+        let points = transfer.columns * transfer.rows;
+        let first = place.row * transfer.columns + place.column;
+        let corners = [first, first + 1, first + transfer.columns, first + transfer.columns + 1];
+        let at_point = |(index, wave): (usize, &WaveInTime)| {
+            let group = &transfer.groups[transfer.waves[index].group as usize];
+            let (carrier, k) = place.carrier(group, transfer.cell_m);
+            let envelope = corners.map(|point| wave.h0 * unpack(transfer.envelopes[index * points + point]));
+            let [value, x, y, _] = place.derivatives(envelope, transfer.cell_m).map(|part| part * carrier);
+            let [along_x, along_y] = [x + Complex::I * value * k[0], y + Complex::I * value * k[1]];
+            let [cos, sin] = self.turn;
+            let gradient = [along_x * cos - along_y * sin, along_x * sin + along_y * cos];
+            CoastalWaveAtPoint {
+                amplitude_m: [value.re, value.im],
+                gradient: gradient.map(|part| [part.re, part.im]),
+                omega_rad_s: wave.omega_rad_s,
+                cycles_per_period: wave.cycles_per_period,
+            }
+        };
+        self.waves.iter().enumerate().map(at_point).collect()
+    }
+
     /// Sums at the point `at_m` (x, z) of the world, m, at the time `period_fraction` (2^32 per period of the sea).
     /// They are 0 outside the grid, where the waves have no weight.
     pub fn sums(&self, at_m: [f64; 2], period_fraction: u32) -> CoastalSums {
@@ -134,11 +197,8 @@ impl CoastalWaves {
                     }
                 }
             }
-            let phases = &group.column_phase_rad;
-            let step_rad = phases[place.column + 1] - phases[place.column];
-            let phase = phases[place.column] + place.part[0] * step_rad + group.ky_rad_m * place.y_m;
-            let k = [step_rad / transfer.cell_m, group.ky_rad_m];
-            sum.add(&fields, Complex::polar(2.0, phase), k, &place, transfer.cell_m);
+            let (carrier, k) = place.carrier(group, transfer.cell_m);
+            sum.add(&fields, carrier, k, &place, transfer.cell_m);
         }
         sum.in_world(self.turn)
     }
@@ -161,16 +221,7 @@ impl Accumulated {
     /// Adds the waves of a group: their fields at the corners of a cell, and twice the carrier at the point with its
     /// wave numbers.
     fn add(&mut self, fields: &[[Complex; 4]; 4], carrier: Complex, k: [f64; 2], place: &Place, cell_m: f64) {
-        let [p, q] = place.part;
-        // Value and derivatives (x, y, xy) of a bilinear field times the carrier.
-        let derivatives = |[a, b, c, d]: [Complex; 4]| {
-            let (low, high) = (a * (1.0 - p) + b * p, c * (1.0 - p) + d * p);
-            let value = low * (1.0 - q) + high * q;
-            let x = ((b - a) * (1.0 - q) + (d - c) * q) * (1.0 / cell_m);
-            let y = (high - low) * (1.0 / cell_m);
-            let xy = (a - b - c + d) * (1.0 / (cell_m * cell_m));
-            [value, x, y, xy].map(|part| part * carrier)
-        };
+        let derivatives = |corners: [Complex; 4]| place.derivatives(corners, cell_m).map(|part| part * carrier);
         let gradient = |[value, x, y, _]: [Complex; 4]| [x + Complex::I * value * k[0], y + Complex::I * value * k[1]];
         let [elevation, potential, elevation_rate, potential_rate] = [0, 1, 2, 3].map(|i| derivatives(fields[i]));
         self.elevation += elevation[0];
@@ -227,7 +278,7 @@ impl Transfer {
         let place = self.place(at_m);
         let [p, q] = place.part;
         let first = place.row * self.columns + place.column;
-        let mut out = CoastalGains { short_gain: 0.0, weight: 0.0, set_up_m: 0.0 };
+        let mut out = CoastalGains { short_gain: 0.0, weight: 0.0, set_up_m: 0.0, depth_m: 0.0 };
         let corners =
             [(0, (1.0 - p) * (1.0 - q)), (1, p * (1.0 - q)), (self.columns, (1.0 - p) * q), (self.columns + 1, p * q)];
         for (step, share) in corners {
@@ -235,6 +286,7 @@ impl Transfer {
             out.short_gain += share * f64::from(point.short_gain);
             out.weight += share * f64::from(point.weight);
             out.set_up_m += share * f64::from(point.set_up_m);
+            out.depth_m += share * f64::from(point.depth_m);
         }
         if !place.is_inside {
             (out.weight, out.set_up_m) = (0.0, 0.0);

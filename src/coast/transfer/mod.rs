@@ -29,7 +29,8 @@ use super::breaking::Losses;
 use super::incident::Placement;
 use super::options::Options;
 use crate::waves::Plan;
-pub use evaluate::{CoastalGains, CoastalSums, CoastalWaves};
+pub use envelopes::sharpen;
+pub use evaluate::{CoastalGains, CoastalSums, CoastalWaveAtPoint, CoastalWaves};
 pub use solver::TransferSolver;
 pub use statistics::{SpectrumBand, StatisticsSolver, TransferStatistics};
 
@@ -45,6 +46,8 @@ pub struct Transfer {
     pub rows: usize,
     /// Distance of neighbouring points, m.
     pub cell_m: f64,
+    /// Depth, m, from which water is open: there the envelopes are those of the solved waves, and [sharpened](sharpen).
+    pub least_depth_m: f64,
     /// Key of the lattice of wave vectors to which the waves belong: the first cascade's patch side (m), its noise key,
     /// and the seed of the sea. The waves mean nothing on another lattice.
     pub lattice: LatticeKey,
@@ -60,6 +63,11 @@ pub struct Transfer {
 }
 
 impl Transfer {
+    /// Whether a point lies in open water.
+    fn is_open(&self, point: usize) -> bool {
+        f64::from(self.points[point].depth_m) >= self.least_depth_m
+    }
+
     /// Whether the waves of `plan` are those of the lattice for which the transfer was made.
     pub fn fits(&self, plan: &Plan) -> bool {
         let key = self.lattice;
@@ -167,4 +175,14 @@ pub struct SeaAtPoint {
     pub breaking_height_m: f32,
     /// Mean level of the water above the still water by breaking waves (set-up), m.
     pub set_up_m: f32,
+    /// Standard deviation of the level around its mean by the waves of the transfer, m; 0 on land that they do not reach.
+    pub level_deviation_m: f32,
+}
+
+impl SeaAtPoint {
+    /// Height above the still water, m, that 2 % of the waves run up a beach as they are drawn here: the formula of
+    /// Stockdon et al. 2006, 1.1 (set-up + S / 2), with the swash S of four standard deviations.
+    pub fn run_up_m(&self) -> f32 {
+        1.1 * (self.set_up_m + 2.0 * self.level_deviation_m)
+    }
 }

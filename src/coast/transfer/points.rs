@@ -21,6 +21,8 @@ const UNTOUCHED_M: f64 = 0.5;
 const MAX_BREAKING: f64 = 0.97;
 /// Least depth of the water in the balance of the set-up, m.
 const LEAST_WATER_M: f64 = 0.1;
+/// Depth, m, from which a point has water.
+const LAND_BELOW_M: f64 = f64::MIN_POSITIVE;
 /// Times that maps are smoothed over the nearest points.
 const SMOOTHINGS: usize = 2;
 
@@ -42,9 +44,10 @@ pub(super) fn points(
 ) -> Vec<SeaAtPoint> {
     let grid = &setup.grid;
     let mut breaking: Vec<f64> = sea.breaking_fraction.iter().map(|q| f64::from(*q)).collect();
-    shore.continue_map(grid, &mut breaking);
+    // The solver knows no waves in the thinnest water, though the swash runs there.
+    shore.continue_map(grid, setup.options.min_depth_m, &mut breaking);
     let mut set_up_m = set_up_m(setup, sea);
-    shore.continue_map(grid, &mut set_up_m);
+    shore.continue_map(grid, LAND_BELOW_M, &mut set_up_m);
     if let Some(run_up) = setup.run_up {
         for (level_m, share) in set_up_m.iter_mut().zip(&swash.set_up_share) {
             *level_m += share * (run_up.set_up_m - *level_m).max(0.0);
@@ -65,6 +68,7 @@ pub(super) fn points(
             weight: if setup.waves.is_empty() { 0.0 } else { weight(grid, point) as f32 },
             breaking_height_m: breaking_height_m as f32,
             set_up_m: set_up_m[point] as f32,
+            level_deviation_m: all[point].sqrt() as f32,
         }
     };
     (0..grid.depth_m.len()).map(point).collect()

@@ -40,9 +40,10 @@ impl Shore {
         }
     }
 
-    /// Continues a map over the land of the shore by the means of the sources.
-    pub(super) fn continue_map(&self, grid: &Bathymetry, map: &mut [f64]) {
-        for place in self.places.iter().filter(|place| grid.depth_m[place.point] <= 0.0) {
+    /// Continues a map over the points of the shore that are shallower than `known_from_m` (m), where it says nothing,
+    /// by the means of the sources.
+    pub(super) fn continue_map(&self, grid: &Bathymetry, known_from_m: f64, map: &mut [f64]) {
+        for place in self.places.iter().filter(|place| f64::from(grid.depth_m[place.point]) < known_from_m) {
             map[place.point] = place.sources.iter().map(|(source, weight)| weight * map[*source]).sum();
         }
     }

@@ -120,7 +120,9 @@ impl TransferSolver {
                 SOLVED + 0.5 * (1.0 - SOLVED)
             }
             Stage::Heights(ashore, next) if next < waves => {
-                self.envelopes.scale(next, &ashore.factors);
+                let Setup { grid, least_depth_m, .. } = &self.setup;
+                let is_open = |point: usize| f64::from(grid.depth_m[point]) >= *least_depth_m;
+                self.envelopes.scale(next, &ashore.factors, is_open);
                 self.stage = Stage::Heights(ashore, next + 1);
                 SOLVED + 0.5 * (1.0 - SOLVED) * (1.0 + 0.9 * of_waves(next))
             }
@@ -227,6 +229,7 @@ impl TransferSolver {
             columns: setup.grid.columns,
             rows: setup.grid.rows,
             cell_m: setup.grid.cell_m,
+            least_depth_m: setup.least_depth_m,
             lattice: setup.lattice,
             waves: setup.waves.iter().map(wave).collect(),
             groups: setup.groups.clone(),

@@ -11,6 +11,7 @@
 //! its wave vector. Of a wave that has at least the variance c, E0 + c is expected: the distribution has no memory. c
 //! is that of the weakest wave of the transfer.
 
+use super::envelopes::mean_drawn;
 use super::half_float::unpack;
 use super::{SeaAtPoint, Transfer};
 use crate::coast::bathymetry::Bathymetry;
@@ -292,7 +293,9 @@ impl StatisticsSolver {
                     continue;
                 }
                 let (low, high) = (i.saturating_sub(1), (i + 1).min(columns - 1));
-                let mut value = here[i];
+                let drawn = |at: usize| [&below, &here, &above][at / columns + 1 - j][at % columns];
+                let is_open = |at: usize| transfer.is_open(at);
+                let mut value = mean_drawn(j * columns + i, [columns, rows], is_open, drawn);
                 let along_x = (here[high] - here[low]) * (1.0 / (cell_m * (high - low) as f64));
                 let along_y = (above[i] - below[i]) * per_y_m;
                 let mut gradient =
@@ -370,11 +373,13 @@ impl TransferStatistics {
         };
         let mut bands: Vec<SpectrumBand> = sea.bands.iter().map(band).collect();
         let [x_m, y_m] = [i, j].map(|steps| steps as f64 * transfer.cell_m);
+        let size = [transfer.columns, transfer.rows];
         for (index, wave) in sea.waves.iter().enumerate().filter(|_| is_wet) {
             let group = &transfer.groups[transfer.waves[index].group as usize];
             let carrier = Complex::polar(weight, group.column_phase_rad[i] + group.ky_rad_m * y_m);
             let open_phase = wave.origin_phase_rad + wave.k_rad_m[0] * x_m + wave.k_rad_m[1] * y_m;
-            let value = unpack(transfer.envelopes[index * transfer.points.len() + at]) * carrier
+            let drawn = |at: usize| unpack(transfer.envelopes[index * transfer.points.len() + at]);
+            let value = mean_drawn(at, size, |at| transfer.is_open(at), drawn) * carrier
                 + Complex::polar((1.0 - weight) * gain, open_phase);
             if let Some(band) = bands.get_mut(wave.band) {
                 band.here_m2 += wave.variance_m2 * value.norm_squared();

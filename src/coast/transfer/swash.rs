@@ -51,8 +51,9 @@ impl Swash {
                 }
             }
         }
-        shore.continue_map(grid, &mut out.variance_m2);
-        shore.continue_map(grid, &mut out.set_up_share);
+        let known_from_m = setup.options.min_depth_m;
+        shore.continue_map(grid, known_from_m, &mut out.variance_m2);
+        shore.continue_map(grid, known_from_m, &mut out.set_up_share);
         out
     }
 }

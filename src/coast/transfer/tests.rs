@@ -6,6 +6,7 @@ use crate::state::query;
 use crate::waves::Plan;
 use crate::waves::statistics::{initial_amplitude, lattice_indices};
 use crate::waves::table::{SpectrumTable, entry_index};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 fn plan(state: &str) -> Plan {
@@ -82,6 +83,21 @@ fn over_a_flat_bed_the_transfer_is_the_open_sea() {
             squares[i] += want[i] * want[i];
         }
         samples += 1.0;
+        // The waves at the point, one by one, add up to the same elevation and velocity.
+        let turns = f64::from(plan.period_fraction_u32(t_s));
+        let mut alone = [0.0; 4];
+        for wave in waves.at_point(at) {
+            let angle = TAU * (f64::from(wave.cycles_per_period) * turns / 4_294_967_296.0).fract();
+            let of_time = |[re, im]: [f64; 2]| re * angle.cos() + im * angle.sin();
+            let rate = |[re, im]: [f64; 2]| wave.omega_rad_s * (im * angle.cos() - re * angle.sin());
+            let [gx, gz] = wave.gradient.map(|[re, im]| of_time([im, -re]) * 9.81 / wave.omega_rad_s);
+            let terms = [of_time(wave.amplitude_m), gx, rate(wave.amplitude_m), gz];
+            alone.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+        }
+        let [u, w, v] = sums.orbital_velocity_m_s;
+        for (a, b) in alone.into_iter().zip([sums.elevation_m, u, w, v]) {
+            assert!((a - b).abs() < 2e-3, "{alone:?} {sums:?}");
+        }
         let gains = transfer.gains(at);
         assert!((gains.short_gain - 1.0).abs() < 0.01 && gains.set_up_m.abs() < 0.02, "{gains:?}");
     }
@@ -159,6 +175,25 @@ fn the_beach_has_surf_and_swash() {
     // The same sea gives the same transfer, whatever the number of threads.
     let alone = solved(&sea, &coast, &TransferLimits { threads: 1, ..limits });
     assert_eq!(alone, transfer);
+}
+
+/// The solver takes water thinner than 0.1 m for land. There, too, the swash breaks as it does beside it, on the side of
+/// the sea and up the beach: rollers run to the edge of the water.
+#[test]
+fn waves_break_in_the_thinnest_water() {
+    let sea = plan("depth=8&hs=1.5&tp=9&dir=270&n=64");
+    // 1 in 20, with a column of points in 0.05 m of water.
+    let depth_m = |x: f64| 0.05 * (161.0 - x);
+    let bathymetry = Bathymetry::from_fn(49, 17, 4.0, |x, _| depth_m(x));
+    let coast = PlacedCoast { bathymetry, toward_deg: 90.0, ..flat(8.0, 90.0, 2, 4.0) };
+    let limits = TransferLimits { max_waves: 12, points: 49, ..TransferLimits::default() };
+    let transfer = solved(&sea, &coast, &limits);
+    let heights_m = |column: usize| transfer.points[8 * transfer.columns + column].breaking_height_m;
+    let (thin, before, land) = (heights_m(40), heights_m(39), heights_m(41));
+    assert!((transfer.points[8 * transfer.columns + 40].depth_m - 0.05).abs() < 1e-3);
+    assert!(before.is_finite() && (thin / before - 1.0).abs() < 0.2 && (land / thin - 1.0).abs() < 0.2);
+    // Out at sea no wave of this height breaks, and none on land that no wave reaches.
+    assert!(heights_m(5) > 5.0 * thin && heights_m(48) >= 10.0 * thin, "{} {} {thin}", heights_m(5), heights_m(48));
 }
 
 #[test]

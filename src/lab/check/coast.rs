@@ -1,8 +1,9 @@
 //! Compares the passes of a coast with the oracle, on transfer functions of waves that a slope turns and raises.
 
 use super::{Comparison, MIN_RMS_DIVISOR, comparison, read_map, rms_difference, root_mean_square};
+use crate::coast::complex::Complex as Amplitude;
 use crate::coast::incident::Placement;
-use crate::coast::transfer::{LatticeKey, SeaAtPoint, Transfer, TransferWave, WaveGroup};
+use crate::coast::transfer::{LatticeKey, SeaAtPoint, Transfer, TransferWave, WaveGroup, sharpen};
 use crate::gpu::{Gpu, readback};
 use crate::oracle::coast::{CoastPoint, CoastWaves};
 use crate::oracle::{self, Complex, Texel};
@@ -71,6 +72,7 @@ impl SyntheticCoast {
             columns,
             rows,
             cell_m: self.cell_m,
+            least_depth_m: 0.0,
             lattice: LatticeKey { patch_m: cascade.patch_m, noise_key: cascade.noise_key, seed: plan.sea.seed },
             waves: Vec::new(),
             groups: Vec::new(),
@@ -95,13 +97,17 @@ impl SyntheticCoast {
                 });
                 let [east, south] = self.placement.origin_m;
                 let origin = dk * (f64::from(*ix) * east + f64::from(*iz) * south);
-                for i in 0..rows * columns {
+                let envelope_at = |i: usize| {
                     let (x, y) = (path_m(i % columns), (i / columns) as f64 * self.cell_m);
                     let size = 1.0 + self.growth * (i % columns) as f64 / (columns - 1) as f64;
-                    let (sin, cos) = (origin + (k[0] - mean[0]) * x + (k[1] - mean[1]) * y).sin_cos();
-                    let [re, im] = [size * cos, size * sin].map(|v| u32::from(f16::from_f64(v).to_bits()));
-                    out.envelopes.push(re | im << 16);
-                }
+                    Amplitude::polar(size, origin + (k[0] - mean[0]) * x + (k[1] - mean[1]) * y)
+                };
+                let mut envelope: Vec<Amplitude> = (0..rows * columns).map(envelope_at).collect();
+                sharpen(&mut envelope, columns, |_| true);
+                out.envelopes.extend(envelope.into_iter().map(|value| {
+                    let [re, im] = [value.re, value.im].map(|v| u32::from(f16::from_f64(v).to_bits()));
+                    re | im << 16
+                }));
             }
         }
         out
@@ -135,6 +141,7 @@ impl SyntheticCoast {
             weight: (weight * weight * (3.0 - 2.0 * weight)) as f32,
             breaking_height_m: self.breaking_height_m,
             set_up_m: (self.set_up_m * x) as f32,
+            level_deviation_m: 0.0,
         }
     }
 }

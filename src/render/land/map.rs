@@ -10,7 +10,7 @@ use half::f16;
 
 /// Half floats: height, m, slopes along x and y of the coast's frame, and kind ([`super::relief::RUBBLE`]).
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// Slope of the foreshore of the built-in coasts, up which waves run.
+/// Slope of the foreshore of the built-in coasts, up which waves run while the waves at the coast are not known.
 const FORESHORE_SLOPE: f64 = 0.08;
 
 gpu_struct! {
@@ -27,10 +27,10 @@ gpu_struct! {
         side_m: [f32; 2],
         /// Binary logarithm of the number of texels per metre.
         log_texels_per_m: f32,
-        /// Heights above the still water up to which waves keep the sand covered with a film of water, and which the
-        /// highest waves reach, m.
-        film_m: f32,
+        /// Height above the still water that the highest waves reach on open beaches, m.
         run_up_m: f32,
+        /// 1 if the waves at the coast are drawn: their run-up at each place is in the map of gains. Else 0.
+        has_waves: f32,
         unused: [u32; 3],
     }
 }
@@ -50,8 +50,8 @@ impl LandUniform {
             uv_start: [(0.5 / INNER as f64) as f32; 2],
             side_m: coast.side_m().map(|side_m| side_m as f32),
             log_texels_per_m: (-0.5 * (steps[0] * steps[1]).log2()) as f32,
-            film_m: (run_up.set_up_m + 0.25 * run_up.swash_m) as f32,
             run_up_m: run_up.two_percent_m as f32,
+            has_waves: f32::from(u8::from(scene.has_coast)),
             unused: [0; 3],
         }
     }

@@ -79,7 +79,7 @@ pub fn point_texels(transfer: &Transfer) -> Vec<[f16; 4]> {
 }
 
 /// Texels (row by row) of the map of gains over a square: factors of ordinary cascades, of offshore waves, and of the waves
-/// at the coast, which are 0 outside the coast's grid; and the depth below the still water, m.
+/// at the coast, which are 0 outside the coast's grid; and the height above the still water that the waves run up, m.
 pub fn gain_texels(transfer: &Transfer, square: &CoastSquare) -> Vec<[f16; 4]> {
     let side = GAINS_MAP_SIDE as usize;
     let texel = |i: usize| {
@@ -88,14 +88,14 @@ pub fn gain_texels(transfer: &Transfer, square: &CoastSquare) -> Vec<[f16; 4]> {
         let grid = frame_from_world(&transfer.placement, world).map(|x| x / transfer.cell_m);
         let last = [transfer.columns, transfer.rows].map(|count| (count - 1) as f64);
         let is_inside = (0..2).all(|axis| (0.0..=last[axis]).contains(&grid[axis]));
-        let [short, weight, depth_m] = interpolated(transfer, [0, 1].map(|axis| grid[axis].clamp(0.0, last[axis])));
+        let [short, weight, run_up_m] = interpolated(transfer, [0, 1].map(|axis| grid[axis].clamp(0.0, last[axis])));
         let at_coast = if is_inside { weight } else { 0.0 };
-        [short, (1.0 - weight) * short, at_coast, depth_m].map(|x| f16::from_f32(x as f32))
+        [short, (1.0 - weight) * short, at_coast, run_up_m].map(|x| f16::from_f32(x as f32))
     };
     (0..side * side).map(texel).collect()
 }
 
-/// `short_gain`, `weight` and `depth_m` between the points of the grid, at a position in cells.
+/// Short gain, weight and run-up between the points of the grid, at a position in cells.
 fn interpolated(transfer: &Transfer, [x, y]: [f64; 2]) -> [f64; 3] {
     let [column, row] = [(x, transfer.columns), (y, transfer.rows)].map(|(at, count)| (at as usize).min(count - 2));
     let (fx, fy) = (x - column as f64, y - row as f64);
@@ -104,7 +104,7 @@ fn interpolated(transfer: &Transfer, [x, y]: [f64; 2]) -> [f64; 3] {
         [(0, 0, (1.0 - fx) * (1.0 - fy)), (1, 0, fx * (1.0 - fy)), (0, 1, (1.0 - fx) * fy), (1, 1, fx * fy)]
     {
         let point = &transfer.points[(row + dy) * transfer.columns + column + dx];
-        let values = [point.short_gain, point.weight, point.depth_m];
+        let values = [point.short_gain, point.weight, point.run_up_m()];
         sum = std::array::from_fn(|i| sum[i] + share * f64::from(values[i]));
     }
     sum
@@ -126,5 +126,37 @@ pub fn uniform(transfer: &Transfer, square: &CoastSquare, n: u32) -> CoastUnifor
         wave_count: transfer.waves.len() as u32,
         group_count: transfer.groups.len() as u32,
         unused: [0; 3],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The map of gains has the run-up of the drawn waves at each place, which a point says.
+    #[test]
+    fn the_map_of_gains_has_the_run_up() {
+        // Set-up and deviation grow shoreward. The formula of Stockdon et al. 2006 with S = 4 deviations: 1.1 (0.4 + 0.6).
+        let point = |column: usize| {
+            let part = column as f32 / 4.0;
+            SeaAtPoint { set_up_m: 0.4 * part, level_deviation_m: 0.3 * part, weight: 1.0, ..SeaAtPoint::default() }
+        };
+        let transfer = Transfer {
+            columns: 5,
+            rows: 5,
+            cell_m: 20.0,
+            points: (0..25).map(|i| point(i % 5)).collect(),
+            ..Transfer::default()
+        };
+        assert!((transfer.points[4].run_up_m() - 1.1).abs() < 1e-6);
+        let square = CoastSquare::around(&transfer, 64);
+        let side = GAINS_MAP_SIDE as usize;
+        for (i, texel) in gain_texels(&transfer, &square).iter().enumerate() {
+            let x = square.corner_m[0]
+                + (i % side) as f64 / side as f64 * square.side_m
+                + 0.5 * square.side_m / side as f64;
+            let want = 1.1 * (x / 80.0).clamp(0.0, 1.0);
+            assert!((f64::from(texel[3]) - want).abs() < 1e-3, "{} at {x} m, not {want}", texel[3]);
+        }
     }
 }

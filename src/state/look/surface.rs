@@ -124,7 +124,7 @@ parameters! {
     /// Sea bed, visible through shallow water.
     pub struct BedLook {
         /// Colour of the sand on the sea bed, visible in water of a few metres.
-        colour: f64 = 0x00e2_dac6 as f64 => ("bedcolour", "Bed colour", "", Colour),
+        colour: f64 = 0x00a6_9c89 as f64 => ("bedcolour", "Bed colour", "", Colour),
         /// Fraction of the bed under seagrass and coral reefs, in patches of many sizes; 0 is bare sand.
         cover: f64 = 0.25 => ("bedcover", "Seagrass and reefs", "", number(0.0, 1.0), "sand"),
         /// Strength of caustics, sunlight focused on the sea bed by waves: 1 is physical; 0 lights the bed evenly and
