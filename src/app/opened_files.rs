@@ -236,7 +236,12 @@ impl App {
     fn import_seas(&mut self, text: &str) {
         let (seas, notices) = presets::read_kept(text);
         let count = seas.len();
+        let reason = notices.first().filter(|_| count == 0).map(|reason| notices::translate(reason));
         self.notices = notices;
+        if let Some(reason) = reason {
+            self.show_brief_message(&reason);
+            return;
+        }
         match self.own_seas.add(seas) {
             Ok(()) => self.show_brief_message(&say!("{count} seas imported", count = count)),
             Err(reason) => self.notices.push(reason),
