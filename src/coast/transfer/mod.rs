@@ -47,7 +47,7 @@ pub struct Transfer {
     /// Distance of neighbouring points, m.
     pub cell_m: f64,
     /// Depth, m, from which water is open: there the envelopes are those of the solved waves, and [sharpened](sharpen).
-    pub least_depth_m: f64,
+    pub open_from_m: f64,
     /// Key of the lattice of wave vectors to which the waves belong: the first cascade's patch side (m), its noise key,
     /// and the seed of the sea. The waves mean nothing on another lattice.
     pub lattice: LatticeKey,
@@ -65,7 +65,7 @@ pub struct Transfer {
 impl Transfer {
     /// Whether a point lies in open water.
     fn is_open(&self, point: usize) -> bool {
-        f64::from(self.points[point].depth_m) >= self.least_depth_m
+        f64::from(self.points[point].depth_m) >= self.open_from_m
     }
 
     /// Whether the waves of `plan` are those of the lattice for which the transfer was made.

@@ -120,8 +120,8 @@ impl TransferSolver {
                 SOLVED + 0.5 * (1.0 - SOLVED)
             }
             Stage::Heights(ashore, next) if next < waves => {
-                let Setup { grid, least_depth_m, .. } = &self.setup;
-                let is_open = |point: usize| f64::from(grid.depth_m[point]) >= *least_depth_m;
+                let (grid, open_from_m) = (&self.setup.grid, self.open_from_m(&ashore));
+                let is_open = |point: usize| f64::from(grid.depth_m[point]) >= open_from_m;
                 self.envelopes.scale(next, &ashore.factors, is_open);
                 self.stage = Stage::Heights(ashore, next + 1);
                 SOLVED + 0.5 * (1.0 - SOLVED) * (1.0 + 0.9 * of_waves(next))
@@ -209,6 +209,11 @@ impl TransferSolver {
         ashore.swash.variance_m2.iter().zip(&has_m2).enumerate().filter_map(factor).collect()
     }
 
+    /// Depth, m, from which the waves are neither continued ashore nor raised to the swash.
+    fn open_from_m(&self, ashore: &Ashore) -> f64 {
+        self.setup.least_depth_m.max(ashore.swash.begin_m)
+    }
+
     fn transfer(&mut self, ashore: &Ashore) -> Transfer {
         let setup = &self.setup;
         let open_short = setup
@@ -229,7 +234,7 @@ impl TransferSolver {
             columns: setup.grid.columns,
             rows: setup.grid.rows,
             cell_m: setup.grid.cell_m,
-            least_depth_m: setup.least_depth_m,
+            open_from_m: self.open_from_m(ashore),
             lattice: setup.lattice,
             waves: setup.waves.iter().map(wave).collect(),
             groups: setup.groups.clone(),

@@ -23,6 +23,8 @@ const WHOLE_BELOW: f64 = 0.4;
 
 /// How the level should vary at each point.
 pub(super) struct Swash {
+    /// Depth at which it begins, m; 0 if there is none.
+    pub(super) begin_m: f64,
     /// Variance of the level, m^2.
     pub(super) variance_m2: Vec<f64>,
     /// Share of the set-up of the beach, by the formula of Stockdon et al. 2006, in the mean level: 0 where the waves
@@ -34,10 +36,11 @@ impl Swash {
     /// The swash of a sea whose waves have the variance `solved_m2` (m^2) by the solution.
     pub(super) fn new(setup: &Setup, sea: &Dissipation, solved_m2: &[f64], shore: &Shore) -> Self {
         let grid = &setup.grid;
-        let mut out = Self { variance_m2: solved_m2.to_vec(), set_up_share: vec![0.0; solved_m2.len()] };
+        let mut out = Self { begin_m: 0.0, variance_m2: solved_m2.to_vec(), set_up_share: vec![0.0; solved_m2.len()] };
         if let Some(run_up) = setup.run_up.filter(|run_up| run_up.swash_m > 0.0) {
             let height_m: Vec<f64> = sea.variance_m2.iter().map(|m0| 4.0 * f64::from(*m0).sqrt()).collect();
             let begin_m = beginning_m(grid, &sea.variance_m2, run_up.swash_m);
+            out.begin_m = begin_m;
             let cells = nearby_cells(grid, begin_m);
             for point in 0..solved_m2.len() {
                 let depth_m = f64::from(grid.depth_m[point]);

@@ -72,7 +72,7 @@ impl SyntheticCoast {
             columns,
             rows,
             cell_m: self.cell_m,
-            least_depth_m: 0.0,
+            open_from_m: 0.0,
             lattice: LatticeKey { patch_m: cascade.patch_m, noise_key: cascade.noise_key, seed: plan.sea.seed },
             waves: Vec::new(),
             groups: Vec::new(),

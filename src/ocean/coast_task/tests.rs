@@ -33,7 +33,7 @@ fn empty() -> Transfer {
         columns: 0,
         rows: 0,
         cell_m: 0.0,
-        least_depth_m: 0.0,
+        open_from_m: 0.0,
         lattice: Default::default(),
         waves: vec![],
         groups: vec![],

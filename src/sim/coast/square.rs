@@ -83,7 +83,7 @@ mod tests {
                 columns: 41,
                 rows: 71,
                 cell_m: 10.0,
-                least_depth_m: 0.0,
+                open_from_m: 0.0,
                 lattice: LatticeKey::default(),
                 waves: Vec::new(),
                 groups: Vec::new(),
