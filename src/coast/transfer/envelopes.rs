@@ -100,7 +100,7 @@ pub fn sharpen(envelope: &mut [Complex], columns: usize, is_open: impl Fn(usize)
     let before = envelope.to_vec();
     let rows = before.len() / columns.max(1);
     for (point, out) in envelope.iter_mut().enumerate() {
-        *out = *out - bend(point, [columns, rows], &is_open, |at| before[at]);
+        *out -= bend(point, [columns, rows], &is_open, |at| before[at]);
     }
 }
 
