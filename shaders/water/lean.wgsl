@@ -15,9 +15,10 @@ const LEAN_MOST_SHADOW = 5.0;
 const LEAN_MIN_FOAM = 0.02;
 // Part of the light of old foam that comes from its film.
 const LEAN_FILM = 0.45;
-// Softness of the edge of a front, deviations of its pattern; distance over which the slope of its billows is measured,
-// m; their height for one unit of the noise, m; and how much hollows and lumps differ in light.
-const LEAN_FRONT_SOFTNESS = 0.45;
+// Softness of the edge of foam, deviations of its pattern.
+const LEAN_SOFTNESS = 0.5;
+// Distance over which the slope of a front's billows is measured, m; their height for one unit of the noise, m; and how
+// much hollows and lumps differ in light.
 const LEAN_RELIEF_STEP_M = 0.5;
 const LEAN_BILLOW_M = 2.1;
 const LEAN_GRAIN = 1.3;
@@ -123,17 +124,22 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
   let lods = foot.log_texel_m + vec3f(
     material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m, material.noise_layers[wide].log_texels_per_m,
     material.noise_layers[FOAM_STRAND_LAYER].log_texels_per_m);
-  let kept = 1.0 / (1.0 + exp2(MATERIAL_VARIANCE_STEEPNESS.xyz * (lods - MATERIAL_HALF_VARIANCE_LOD.xyz)));
+  var kept = 1.0 / (1.0 + exp2(MATERIAL_VARIANCE_STEEPNESS.xyz * (lods - MATERIAL_HALF_VARIANCE_LOD.xyz)));
   // Lace cuts the foam; lumps are its relief.
   let heaps = material_noise(wide, at, lods.y).ra - 0.5;
   let strands = material_noise(FOAM_STRAND_LAYER, at, lods.z).ra - 0.5;
-  var noise = vec3f(0.0, select(heaps.x, heaps.y, is_front), strands.x);
+  var noise = vec3f(0.0, heaps.x, strands.x);
+  var lumps = strands.y;
   var relief = vec2f(0.0);
   if is_front {
     let sun = frame.sun_direction.xz * inverseSqrt(max(dot(frame.sun_direction.xz, frame.sun_direction.xz), 1e-6));
     let step_m = max(LEAN_RELIEF_STEP_M, WATER_TAP_TEXEL_RATIO * foot.side_m);
     let rise = (material_noise(wide, at + step_m * sun, lods.y).a - 0.5 - heaps.y) * (LEAN_BILLOW_M / step_m);
     relief = (material.foam_relief * rise * inverseSqrt(1.0 + rise * rise)) * sun;
+    noise.y = heaps.y;
+    lumps += FOAM_BILLOW_GRAIN * heaps.y;
+    // A front has no windrows.
+    kept.x = 0.0;
   } else {
     noise.x = material_noise(FOAM_WINDROW_LAYER, at, lods.x).b - 0.5;
   }
@@ -143,18 +149,16 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
     material.noise_layers[FOAM_STRAND_LAYER].foam_weight);
   let weight = mix(old_weights, FOAM_FRONT_WEIGHTS.xyz, amount.fresh);
   let over = inverseSqrt(dot(weight, weight));
-  // A front has no windrows.
-  let resolved = dot(weight * weight, kept * vec3f(select(1.0, 0.0, is_front), 1.0, 1.0)) * (over * over);
-  let soft = mix(0.5, LEAN_FRONT_SOFTNESS, amount.fresh);
-  let edge = sqrt(1.0 + soft * soft) * foam_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
+  let resolved = dot(weight * weight, kept) * (over * over);
+  let edge = sqrt(1.0 + LEAN_SOFTNESS * LEAN_SOFTNESS) * foam_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
   let z = over * dot(noise, weight * FOAM_PER_DEVIATION.xyz);
-  let cut = foam_normal_cdf((z + edge) * inverseSqrt(soft * soft + 1.0 - resolved));
+  let cut = foam_normal_cdf((z + edge) * inverseSqrt(LEAN_SOFTNESS * LEAN_SOFTNESS + 1.0 - resolved));
   var out: FoamAppearance;
   out.cover = cut * mix(
     LEAN_OLD_FOAM_OPACITY.x + LEAN_OLD_FOAM_OPACITY.y * amount.young, FOAM_FRONT_OPACITY.x + FOAM_FRONT_OPACITY.y,
     amount.fresh);
   out.film = LEAN_FILM * (1.0 - amount.fresh);
-  out.grain = 0.5 + LEAN_GRAIN * (strands.y + select(0.0, FOAM_BILLOW_GRAIN * heaps.y, is_front));
+  out.grain = 0.5 + LEAN_GRAIN * lumps;
   out.relief = relief;
   out.lit = 1.0;
   return out;

@@ -141,7 +141,7 @@ pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 21.0, reads: 0.0, m
 pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2947.4, reads: 29.9, max_ops: 5046.0, max_reads: 57.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the lean tier.
 pub const LEAN_LIGHT_FRAGMENT_COST: ShaderCost =
-    ShaderCost { ops: 1432.3, reads: 13.4, max_ops: 2424.0, max_reads: 19.0 };
+    ShaderCost { ops: 1429.6, reads: 13.4, max_ops: 2407.0, max_reads: 19.0 };
 /// Cost per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 249.4, reads: 1.2, max_ops: 331.0, max_reads: 2.0 };
 /// Cost per pixel of the tone pass, which turns the HDR picture into screen colours.
