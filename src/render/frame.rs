@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 const MAX_RIPPLE_VARIANCE_FRACTION: f64 = 0.8;
 /// Largest slope variance of ripples relative to that of the cascade whose copy they are. In a strong wind the waves too
 /// short for the cascades are much rougher than the shortest ones in them.
-const MAX_RIPPLE_VARIANCE_RATIO: f64 = 3.0;
+const MAX_RIPPLE_VARIANCE_RATIO: f64 = 1.5;
 /// Scale heights of air molecules and of aerosol, m (WGSL `ATM_RAYLEIGH_SCALE_HEIGHT_KM`, `ATM_AEROSOL_SCALE_HEIGHT_KM`).
 const AIR_SCALE_HEIGHTS_M: [f64; 2] = [8400.0, 1200.0];
 /// Scale height of the layer of sea salt, m.
