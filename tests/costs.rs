@@ -34,7 +34,7 @@ const SIZE_PX: [u32; 2] = [1920, 1080];
 const UNDER_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 3456.3, reads: 36.0, max_ops: 5635.0, max_reads: 65.0 };
 
 /// Costs of the light of the land, and of the water over the depths of a coast whose waves are those of the open sea.
-/// The water mirrors the land, which shades it; without both, a pixel of water takes 3,851 operations and 43 reads. Where
+/// The water mirrors the land, which shades it; without both, a pixel of water takes 3,849 operations and 43 reads. Where
 /// the waves at the coast are drawn, a pixel of land also reads their run-up.
 const LAND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 1361.0, reads: 21.9, max_ops: 1548.0, max_reads: 25.0 };
 const SHALLOW_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 5306.7, reads: 65.6, max_ops: 6991.0, max_reads: 91.0 };
