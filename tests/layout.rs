@@ -157,7 +157,7 @@ fn the_panel_moves_and_changes_its_width_without_covering_anything() {
     for size in [[844.0, 390.0], [768.0, 1024.0], [1280.0, 720.0]] {
         let mut harness = open("n=64&pause=1&view=heights", size, 1.0);
         harness.state_mut().set_save_folder(folder.clone());
-        // What an older program has kept in a file of its own is read once more.
+        // Older versions stored the place and the width of the panel in panel.txt, which is still read.
         std::fs::remove_file(folder.join("preferences.txt")).ok();
         std::fs::write(folder.join("panel.txt"), "side=left width=390").expect("a file");
         harness.state_mut().load_preferences();

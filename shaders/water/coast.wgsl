@@ -1,7 +1,8 @@
 // How a coast weighs the layers of the wave maps: the cascades of the open sea end at the land, and some of their waves
 // are replaced by those that the coast has made of them.
 
-// Factors of the layers over the square of the world that encloses the coast, and the height that the waves run up the land, m (w).
+// Factors of the layers over the square of the world that encloses the coast, and the height that the waves run up the
+// land, m (w).
 @group(1) @binding(6) var coast_gains_map: texture_2d<f32>;
 
 // Whether the sea runs up to a coast.

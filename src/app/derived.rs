@@ -64,8 +64,10 @@ impl DerivedSeaData {
     pub fn new(params: &Params) -> Self {
         let plan = Plan::new(params);
         let theory = SpectrumStatistics::new(&plan);
-        let several = Some(&plan.systems).filter(|systems| systems.len() > 1);
-        let systems = several.into_iter().flatten().map(|system| SystemSize::new(system, &plan)).collect();
+        let systems = match plan.systems.as_slice() {
+            [] | [_] => Vec::new(),
+            several => several.iter().map(|system| SystemSize::new(system, &plan)).collect(),
+        };
         Self {
             systems,
             params: params.clone(),

@@ -28,7 +28,7 @@ pub struct Preferences {
     pub slow_camera: bool,
     /// Place and width of the panel of a wide window.
     pub panel: Place,
-    /// What the axis of spectra tells.
+    /// The quantity along the horizontal axis of plotted spectra.
     pub spectrum_axis: SpectrumAxis,
 }
 

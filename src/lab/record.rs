@@ -133,7 +133,7 @@ pub fn run(params: &Params, settings: &RecordSettings) -> Result<Record, String>
     })
 }
 
-/// What the coast of a state makes of its waves, which takes seconds; `None` in the open sea.
+/// The transfer functions of the waves over the coast of a state; `None` in the open sea. Solving them takes seconds.
 fn transfer(params: &Params) -> Result<Option<Arc<Transfer>>, String> {
     let coast = PlacedCoast::of_state(&params.coast, None)?;
     Ok(coast.map(|coast| Arc::new(solve_at_once::<TransferSolver>(params, &coast))))

@@ -367,7 +367,8 @@ fn show_notices(app: &App, ui: &mut egui::Ui) {
     }
     let missing = app.params.look.sky.missing_file_notice();
     let of_coast = app.coast_notices();
-    // What the plan of the waves says explains the sea. Nobody has done anything wrong.
+    // Notices of the plan tell how the waves were computed, such as a limit by the depth. They are no warnings, so they
+    // have a neutral colour.
     for text in &app.derived.plan.notices {
         ui.weak(notices::translate(text));
     }

@@ -16,7 +16,7 @@ const ROUND_PERIODS_S: [f64; 28] = [
 /// Least distance of two periods at the axis, points: room for `2.5 s`.
 const LEAST_MARK_DISTANCE_POINTS: f32 = 36.0;
 
-/// What the axis of a spectrum tells.
+/// The quantity along the horizontal axis of a plotted spectrum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpectrumAxis {
     /// Period, s. The axis itself is linear in the frequency, so that long waves are at the left, and areas under the
@@ -54,7 +54,7 @@ impl SpectrumAxis {
         }
     }
 
-    /// What the plot shows, in a sentence.
+    /// Caption of a spectrum with this axis: its quantities and their units, or a plain sentence for periods.
     fn caption(self) -> &'static str {
         match self {
             Self::Period => text!(

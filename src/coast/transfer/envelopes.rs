@@ -81,7 +81,7 @@ impl Envelopes {
         }
     }
 
-    /// Multiplies a wave by a factor at some points, and sharpens it at those of open water. So it is ready.
+    /// Multiplies a wave by a factor at some points, and sharpens it at those of open water. Nothing changes the wave after that.
     pub(super) fn scale(&mut self, index: usize, factors: &[(usize, f64)], is_open: impl Fn(usize) -> bool) {
         let out = &mut self.packed[index * self.points..(index + 1) * self.points];
         let mut envelope: Vec<Complex> = out.iter().map(|bits| unpack(*bits)).collect();
@@ -160,7 +160,7 @@ mod tests {
         assert!(rms(&plain) > 6_f64.sqrt() * rms(&sharp), "{} {}", rms(&plain), rms(&sharp));
         let at = 9 * columns + 11;
         assert!((mean_drawn(at, [columns, rows], |_| true, |at| sharp[at]) - plain[at]).norm_squared().sqrt() < 2e-4);
-        // Of points beside the shore, only the axis along it counts.
+        // A point beside the shore is sharpened along the shore alone: across it, its neighbour is not open water.
         let mut coast = plain.clone();
         sharpen(&mut coast, columns, |point| point % columns < 12);
         assert_eq!(coast[9 * columns + 12], plain[9 * columns + 12]);
