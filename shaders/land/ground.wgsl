@@ -31,15 +31,22 @@ fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, 
   return out;
 }
 
+// Share of the ground that marram covers. The front of a dune has single tufts, its back is green.
+fn land_marram_share(height: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> f32 {
+  let cover = saturate(0.36 * (height - LAND_GRASS_M + 0.45 * middle.z + 0.5 * wide.z));
+  return maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.2 + 3.2 * cover) * saturate(1.5 * cover);
+}
+
+// Share of heath and turf, which grow behind the dunes.
+fn land_back_share(place: vec2f, height: f32, wide: vec4f) -> f32 {
+  return maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5) + 0.55 * wide.z);
+}
+
 // Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow on.
 fn land_plants(
   ground: LandGround, place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
 ) -> LandGround {
-  let grown = height - LAND_GRASS_M + 0.45 * middle.z + 0.5 * wide.z;
-  // The front of a dune has single tufts, its back is green.
-  let cover = saturate(0.36 * grown);
-  let tufts = maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.2 + 3.2 * cover);
-  let back = maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5) + 0.55 * wide.z);
+  let back = land_back_share(place, height, wide);
   let tips = saturate(0.5 + 0.32 * fine.z + 0.2 * middle.z);
   var green = mix(LAND_MARRAM, LAND_STRAW, 0.75 * tips);
   if back > 0.0 {
@@ -54,7 +61,7 @@ fn land_plants(
     let lit = max(1.0 + 0.3 * middle.w + 0.55 * (middle.w - sunward.w), 0.15);
     green = mix(green, LAND_SCRUB * lit, scrub);
   }
-  let share = max(tufts * saturate(1.5 * cover), back);
+  let share = max(land_marram_share(height, middle, fine, wide), back);
   var out = ground;
   out.albedo = mix(ground.albedo, max(green, vec3f(0.008)), share);
   // Tufts stand up: their sides face all directions.
