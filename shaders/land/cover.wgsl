@@ -68,11 +68,13 @@ fn stone_fragment(in: StoneFragment) -> LandGBuffer {
 }
 
 // Sides of the squares with a tuft each, near the eye and everywhere, m.
-const COVER_TUFT_M = vec2f(0.55, 1.1);
-const COVER_BLADE_CORNERS = 5u;
-// Height of the longest blades, m, how far from the middle of a tuft they stand, m, and their width, m.
+const COVER_TUFT_M = vec2f(0.45, 0.85);
+// Numbers of the corners of their blades.
+const COVER_BLADE_CORNERS = vec2u(5u, 3u);
+// Height of the longest blades, m, how far from the middle of a tuft they stand near the eye and
+// everywhere, m, and their width, m.
 const COVER_BLADE_M = 0.95;
-const COVER_ROOTS_M = 0.16;
+const COVER_ROOTS_M = vec2f(0.17, 0.34);
 const COVER_BLADE_WIDTH_M = 0.007;
 // Smallest width of a blade in pixels.
 const COVER_BLADE_PIXELS = 0.85;
@@ -120,13 +122,15 @@ fn grass_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
     return out;
   }
   let ground = cover_marram(place);
-  let grown = saturate(1.8 * ground.y - 0.25 - 0.25 * random.w);
+  let grown = saturate(2.6 * ground.y - 0.1 - 0.4 * random.w);
   if grown <= 0.0 {
     return out;
   }
-  let blade = noise_pcg4d_unit(vec4u(seed, 128u + i / COVER_BLADE_CORNERS));
-  let corner = i % COVER_BLADE_CORNERS;
-  let along = 0.5 * f32(corner / 2u);
+  let corners = select(COVER_BLADE_CORNERS.y, COVER_BLADE_CORNERS.x, is_near);
+  let blade = noise_pcg4d_unit(vec4u(seed, 128u + i / corners));
+  let corner = i % corners;
+  let is_tip = corner == corners - 1u;
+  let along = select(0.5 * f32(corner / 2u), 1.0, is_tip);
   let turn = 2.0 * ATM_PI * blade.x;
   let outward = vec2f(cos(turn), sin(turn));
   let length_m = COVER_BLADE_M * (0.45 + 0.55 * blade.y) * (0.45 + 0.55 * grown) * mix(0.5, 1.0, left);
@@ -138,7 +142,7 @@ fn grass_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
   let lean = outward * (0.12 + 0.5 * blade.z * blade.z) + wind;
   let bent = lean * (length_m * along * along);
   let upward = length_m * along * (1.0 - 0.22 * along * dot(lean, lean));
-  let root = outward * (COVER_ROOTS_M * sqrt(blade.w));
+  let root = outward * (select(COVER_ROOTS_M.y, COVER_ROOTS_M.x, is_near) * sqrt(blade.w));
   let from_eye = cover_from_eye(place, ground.x - 0.06);
   let middle = from_eye + vec3f(root.x + bent.x, upward, root.y + bent.y);
   // A blade is round: marram rolls its leaves. It turns its width to the eye.
@@ -146,10 +150,11 @@ fn grass_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
   let across = normalize(cross(tangent, middle));
   let facing = cross(across, tangent);
   let width_m = max(COVER_BLADE_WIDTH_M, COVER_BLADE_PIXELS * frame.pixel_angle * length(middle));
-  let side = select(1.0, -1.0, (corner & 1u) == 0u) * select(1.0, 0.0, corner == 4u);
+  let side = select(1.0, -1.0, (corner & 1u) == 0u) * select(1.0, 0.0, is_tip);
   let at = middle + across * (0.5 * side * width_m * (1.0 - 0.35 * along));
   out.clip = cover_clip(at);
-  out.normal = facing * -sign(dot(facing, middle)) + 0.8 * side * across;
+  // The normal is raised, because a blade sees the light that others scatter.
+  out.normal = facing * -sign(dot(facing, middle)) + 0.8 * side * across + vec3f(0.0, 0.6, 0.0);
   out.along = along;
   out.look = -1.0 - 0.99 * fract(7.0 * blade.y + random.w);
   return out;
@@ -157,15 +162,15 @@ fn grass_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
 
 @fragment
 fn grass_fragment(in: GrassFragment) -> LandGBuffer {
-  return cover_g_buffer(in.look, normalize(in.normal), in.along, 0.22 + 0.78 * maths_smooth(1.25 * in.along));
+  return cover_g_buffer(in.look, normalize(in.normal), in.along, 0.4 + 0.6 * maths_smooth(1.4 * in.along + 0.1));
 }
 
 // Albedos of blocks, dark and light, and of a blade from its base to its tip.
 const COVER_BLOCK_DARK = vec3f(0.165, 0.162, 0.160);
 const COVER_BLOCK_LIGHT = vec3f(0.345, 0.318, 0.272);
-const COVER_BLADE_BASE = vec3f(0.050, 0.062, 0.024);
-const COVER_BLADE_GREEN = vec3f(0.125, 0.150, 0.066);
-const COVER_BLADE_TIP = vec3f(0.330, 0.285, 0.165);
+const COVER_BLADE_BASE = vec3f(0.085, 0.094, 0.040);
+const COVER_BLADE_GREEN = vec3f(0.165, 0.182, 0.082);
+const COVER_BLADE_TIP = vec3f(0.400, 0.345, 0.205);
 
 // Share of the sunlight on the far side of a blade that passes through it.
 const COVER_BLADE_THROUGH = 0.55;

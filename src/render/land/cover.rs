@@ -24,16 +24,16 @@ const STONES_HEIGHT_M: f64 = 2.0;
 
 /// Sides of the squares with a tuft of grass each, for tufts near the eye and for those that stand everywhere, m
 /// (`COVER_TUFT_M` in shaders/land/cover.wgsl).
-const TUFT_CELL_M: [f64; 2] = [0.55, 1.1];
+const TUFT_CELL_M: [f64; 2] = [0.45, 0.85];
 /// Distances from the eye up to which they are drawn, m; the lean tier has only the second, and nearer.
-const TUFTS_UP_TO_M: [f64; 2] = [17.0, 62.0];
+const TUFTS_UP_TO_M: [f64; 2] = [14.0, 58.0];
 const LEAN_TUFTS_UP_TO_M: f64 = 30.0;
 /// Largest numbers of tufts. With them, grass has 200,000 vertices.
-const MAX_TUFTS: [u32; 2] = [1700, 3900];
-/// Number of blades of a tuft, and of the corners of a blade, between which lie three triangles.
-const BLADES: [u32; 2] = [12, 5];
-const BLADE_CORNERS: u32 = 5;
-const BLADE_TRIANGLES: [u32; 9] = [0, 1, 2, 2, 1, 3, 2, 3, 4];
+const MAX_TUFTS: [u32; 2] = [1100, 4900];
+/// Number of blades of a tuft, and of the corners of a blade. Near the eye a blade has three triangles, else one.
+const BLADES: [u32; 2] = [12, 9];
+const BLADE_CORNERS: [u32; 2] = [5, 3];
+const BLADE_TRIANGLES: [&[u32]; 2] = [&[0, 1, 2, 2, 1, 3, 2, 3, 4], &[0, 1, 2]];
 /// Periods of the sway of grass, s.
 const SWAY_S: [f64; 2] = [3.1, 1.7];
 /// Height above the still water at which the first dune grass grows, m (`LAND_GRASS_M` in shaders/land/albedo.wgsl), and
@@ -100,10 +100,14 @@ impl Cover {
         let (near, far) = (Block::near(), Block::far());
         let mut indices = near.indices.clone();
         indices.extend(far.indices.iter().map(|i| near.corners.len() as u32 + i));
-        let blades = indices.len() as u32;
-        for blade in 0..BLADES[0] {
-            indices.extend(BLADE_TRIANGLES.map(|corner| BLADE_CORNERS * blade + corner));
-        }
+        let of_stone = [0..near.indices.len() as u32, near.indices.len() as u32..indices.len() as u32];
+        let of_tuft = [0, 1].map(|which: usize| {
+            let start = indices.len() as u32;
+            for blade in 0..BLADES[which] {
+                indices.extend(BLADE_TRIANGLES[which].iter().map(|corner| BLADE_CORNERS[which] * blade + corner));
+            }
+            start..indices.len() as u32
+        });
         let corners = [near.corners, far.corners].concat();
         let upload = |bytes: &[u8], least: usize, usage: wgpu::BufferUsages| {
             let bytes_needed = bytes.len().max(least) as u64;
@@ -111,15 +115,14 @@ impl Cover {
             gpu.queue.write_buffer(&buffer, 0, bytes);
             buffer
         };
-        let split = near.indices.len() as u32;
         let storage = wgpu::BufferUsages::STORAGE;
         Self {
             stones: upload(bytemuck::cast_slice(&all.stones), size_of::<LandStone>(), storage),
             corners: upload(bytemuck::cast_slice(&corners), 16, storage),
             uniform: Uniform::new(gpu, "cover"),
             indices: upload(bytemuck::cast_slice(&indices), 4, wgpu::BufferUsages::INDEX),
-            of_stone: [0..split, split..blades],
-            of_tuft: BLADES.map(|count| blades..blades + BLADE_TRIANGLES.len() as u32 * count),
+            of_stone,
+            of_tuft,
             tiles: all.tiles,
             meadows: meadows(relief),
             stone_draws: Vec::new(),
@@ -359,7 +362,7 @@ mod tests {
                 }
             }
         }
-        let vertices: u32 = MAX_TUFTS.iter().zip(BLADES).map(|(tufts, blades)| tufts * blades * BLADE_CORNERS).sum();
+        let vertices: u32 = (0..2).map(|which| MAX_TUFTS[which] * BLADES[which] * BLADE_CORNERS[which]).sum();
         assert!(vertices <= 200_000, "{vertices}");
     }
 
@@ -371,7 +374,8 @@ mod tests {
         });
         let [near, far] = TUFT_CELL_M;
         assert!(cover.contains(&format!("const COVER_TUFT_M = vec2f({near}, {far});")));
-        assert!(cover.contains(&format!("const COVER_BLADE_CORNERS = {BLADE_CORNERS}u;")));
+        let [near, far] = BLADE_CORNERS;
+        assert!(cover.contains(&format!("const COVER_BLADE_CORNERS = vec2u({near}u, {far}u);")));
         assert!(albedo.contains(&format!("const LAND_GRASS_M = {GRASS_M:?};")));
     }
 }
