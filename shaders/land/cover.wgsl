@@ -77,7 +77,7 @@ const COVER_BLADE_M = 0.95;
 const COVER_ROOTS_M = vec2f(0.17, 0.34);
 const COVER_BLADE_WIDTH_M = 0.007;
 // Smallest width of a blade in pixels.
-const COVER_BLADE_PIXELS = 0.85;
+const COVER_BLADE_PIXELS = 1.2;
 // Position in clip space, outside of the picture, of blades that are not seen.
 const COVER_UNSEEN = vec4f(2.0, 2.0, 2.0, 1.0);
 
@@ -88,8 +88,11 @@ struct GrassFragment {
   @location(2) @interpolate(flat) look: f32,
 }
 
-// Height of the ground at a place (x), and how well marram grows there, 0 to 1 (y).
-fn cover_marram(place: vec2f) -> vec2f {
+// Density of the grass of heath and turf relative to that of marram.
+const COVER_BACK_SHARE = 0.36;
+
+// Height of the ground at a place (x), and how well grass grows there, 0 to 1 (y).
+fn cover_grass(place: vec2f) -> vec2f {
   let map = land_at(place, 0.0);
   let inside = min(place, land.side_m - place);
   if map.x < LAND_GRASS_M - 1.2 || min(inside.x, inside.y) < 0.0 {
@@ -99,7 +102,8 @@ fn cover_marram(place: vec2f) -> vec2f {
   let middle = land_noise(place.yx, LAND_MIDDLE_M, 0.2);
   let fine = land_noise(land_turned(place), LAND_FINE_M, 0.2);
   let bare = max(land_rock_share(length(map.yz)), land_built_share(map));
-  let share = land_marram_share(map.x, middle, fine, wide) * (1.0 - land_back_share(place, map.x, wide));
+  let back = land_back_share(place, map.x, wide);
+  let share = mix(land_marram_share(map.x, middle, fine, wide), COVER_BACK_SHARE, back);
   return vec2f(map.x, share * (1.0 - bare));
 }
 
@@ -121,7 +125,7 @@ fn grass_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
   if left <= 0.0 {
     return out;
   }
-  let ground = cover_marram(place);
+  let ground = cover_grass(place);
   let grown = saturate(2.6 * ground.y - 0.1 - 0.4 * random.w);
   if grown <= 0.0 {
     return out;

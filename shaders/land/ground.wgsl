@@ -13,7 +13,7 @@ struct LandGround {
 }
 
 // Colour of dry driftweed, and heights above the run-up, m, at which the swash of two tides has left it.
-const LAND_WRACK = vec3f(0.078, 0.058, 0.036);
+const LAND_WRACK = vec3f(0.105, 0.080, 0.050);
 const LAND_WRACK_LINES_M = vec2f(0.10, 0.42);
 
 // Share of the sand under driftweed: broken strands along two lines. `above` is the height above the run-up.
@@ -27,7 +27,7 @@ fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
   let lines = saturate(1.2 - strand / width) * (least / width);
   let scraps = saturate(1.0 - off * vec2f(7.0, 12.0)) * saturate(0.9 * fine.w + 0.8 * fine.z - 1.1);
   let left = saturate(vec2f(0.75, 0.45) + vec2f(0.6 * middle.w, 0.55 * middle.z) + 0.35 * fine.w);
-  return saturate(0.85 * dot(lines, left) + 0.5 * dot(scraps, left));
+  return saturate(0.85 * dot(lines, left) + 0.22 * dot(scraps, left));
 }
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.

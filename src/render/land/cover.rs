@@ -310,7 +310,7 @@ mod tests {
     use super::*;
     use crate::coast::BuiltInCoast;
     use crate::coast::placed::PlacingOptions;
-    use crate::state::camera::Camera;
+    use crate::state::params::Camera;
 
     /// A phone draws 150,000 triangles of stones, whose corners most of them share, in about 2 ms.
     #[test]
