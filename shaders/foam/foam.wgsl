@@ -104,7 +104,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let slope = foam.levels[level].source_slope;
   let over = 1.0 + (foam.levels[level].jacobian_threshold - waves.jacobian) * slope;
   var excess = select(0.0, clamp(over, 0.0, FOAM_MOST_EXCESS), slope > 0.0);
-  var source = saturate(excess - 1.0);
+  // A level that is too coarse for the waves that break has the sea's mean foam in all cells, and no fronts.
+  var source = max(saturate(excess - 1.0), foam.levels[level].even_source);
   if FOAM_COAST {
     // A wave that breaks at a coast leans as far as one in the open sea with the same source, and foams below its roller.
     excess = max(excess, 2.0 * waves.roller);
