@@ -108,7 +108,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let slope = foam.levels[level].source_slope;
   let over = 1.0 + (foam.levels[level].jacobian_threshold - waves.jacobian) * slope;
   var excess = select(0.0, clamp(over, 0.0, FOAM_MOST_EXCESS), slope > 0.0);
-// Sources of foam, front and plume. A level that is too coarse for the waves that break has the sea's mean foam in all
+  // Sources of foam, front and plume. A level that is too coarse for the waves that break has the sea's mean foam in all
   // cells, and no leaning crests.
   var source = vec3f(max(saturate(excess - 1.0), foam.levels[level].even_source));
   if FOAM_COAST {
