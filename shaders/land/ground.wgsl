@@ -18,6 +18,24 @@ struct LandGround {
   film: f32,
 }
 
+// Colour of dry driftweed, and heights above the run-up, m, at which the swash of two tides has left it.
+const LAND_WRACK = vec3f(0.078, 0.058, 0.036);
+const LAND_WRACK_LINES_M = vec2f(0.10, 0.42);
+
+// Share of the sand under driftweed: broken strands along two lines. `above` is the height above the run-up.
+fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
+  // Swash ends in curves, and each line is a few strands. A pixel averages what is narrower than it.
+  let bent = above + 0.10 * middle.z + 0.030 * fine.z + 0.012 * fine.w;
+  let off = abs(vec2f(bent) - LAND_WRACK_LINES_M);
+  let strand = abs(off - vec2f(0.035, 0.025));
+  let least = vec2f(0.007, 0.005);
+  let width = least + 0.08 * size;
+  let lines = saturate(1.2 - strand / width) * (least / width);
+  let scraps = saturate(1.0 - off * vec2f(7.0, 12.0)) * saturate(0.9 * fine.w + 0.8 * fine.z - 1.1);
+  let left = saturate(vec2f(0.75, 0.45) + vec2f(0.6 * middle.w, 0.55 * middle.z) + 0.35 * fine.w);
+  return saturate(0.85 * dot(lines, left) + 0.5 * dot(scraps, left));
+}
+
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
 fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) -> LandGround {
   let wet = land_wetness(height, middle.z + 0.5 * fine.w, run_up + 0.04);
@@ -27,10 +45,7 @@ fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, 
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
   var out: LandGround;
   out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.07 * rippled * fine.y);
-  // Driftweed lies along the line that the highest waves reach.
-  let line = (height + 0.16 * middle.z - run_up - 0.12) * 4.5;
-  let weed = exp(-line * line) * saturate(1.1 * fine.w + 0.5 * fine.z + 0.5 * middle.w - 0.45);
-  out.albedo = mix(out.albedo, LAND_WEED, 0.8 * saturate(weed));
+  out.albedo = mix(out.albedo, LAND_WRACK, land_wrack(height - run_up, middle, fine, size));
   out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.6 * wet + 0.4 * fresh);
   out.relief = vec2f(0.30 * rippled * fine.x, 0.0);
   // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
@@ -40,15 +55,22 @@ fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, 
   return out;
 }
 
+// Share of the ground that marram covers. The front of a dune has single tufts, its back is green.
+fn land_marram_share(height: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> f32 {
+  let cover = saturate(0.36 * (height - LAND_GRASS_M + 0.45 * middle.z + 0.5 * wide.z));
+  return maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.2 + 3.2 * cover) * saturate(1.5 * cover);
+}
+
+// Share of heath and turf, which grow behind the dunes.
+fn land_back_share(place: vec2f, height: f32, wide: vec4f) -> f32 {
+  return maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5) + 0.55 * wide.z);
+}
+
 // Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow on.
 fn land_plants(
   ground: LandGround, place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
 ) -> LandGround {
-  let grown = height - LAND_GRASS_M + 0.45 * middle.z + 0.5 * wide.z;
-  // The front of a dune has single tufts, its back is green.
-  let cover = saturate(0.36 * grown);
-  let tufts = maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.2 + 3.2 * cover);
-  let back = maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5) + 0.55 * wide.z);
+  let back = land_back_share(place, height, wide);
   let tips = saturate(0.5 + 0.32 * fine.z + 0.2 * middle.z);
   var green = mix(LAND_MARRAM, LAND_STRAW, 0.75 * tips);
   if back > 0.0 {
@@ -63,7 +85,7 @@ fn land_plants(
     let lit = max(1.0 + 0.3 * middle.w + 0.55 * (middle.w - sunward.w), 0.15);
     green = mix(green, LAND_SCRUB * lit, scrub);
   }
-  let share = max(tufts * saturate(1.5 * cover), back);
+  let share = max(land_marram_share(height, middle, fine, wide), back);
   var out = ground;
   out.albedo = mix(ground.albedo, max(green, vec3f(0.008)), share);
   // Tufts stand up: their sides face all directions.

@@ -19,16 +19,9 @@ fn mesh_vertex(@builtin(vertex_index) i: u32) -> LandMeshFragment {
   return LandMeshFragment(frame.clip_from_relative * vec4f(place, 1.0), unpack2x16float(v.slope));
 }
 
-// As the G-buffer of the water (shaders/water/light.wgsl), at a place where there is none.
-struct LandGBuffer {
-  @location(0) undisplaced: vec2f,
-  @location(1) slope: vec4f,
-  @location(2) nothing: vec2f,
-}
-
 @fragment
 fn mesh_fragment(in: LandMeshFragment) -> LandGBuffer {
-  return LandGBuffer(vec2f(2.0 * LAND_NO_WATER_M), vec4f(in.slope, 0.0, 0.0), vec2f(0.0));
+  return LandGBuffer(vec2f(2.0 * LAND_NO_WATER_M, 0.0), vec4f(in.slope, 0.0, 1.0), vec2f(0.0));
 }
 
 @group(2) @binding(1) var undisplaced_map: texture_2d<f32>;
@@ -86,7 +79,8 @@ fn land_run_up_m(at: vec2f) -> f32 {
 @fragment
 fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
-  if textureLoad(undisplaced_map, pixel, 0).x < LAND_NO_WATER_M {
+  let shown = textureLoad(undisplaced_map, pixel, 0).xy;
+  if shown.x < LAND_NO_WATER_M {
     discard;
   }
   let position = lit_position(in.ray, pixel);
@@ -96,13 +90,21 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let place = land_place(position.xz);
   // Beyond the coast's rectangle the slope is that of the mesh.
   let is_outside = land_beyond(place);
-  let mesh_slope = textureLoad(slope_map, pixel, 0).xy;
+  let mesh = textureLoad(slope_map, pixel, 0);
+  let mesh_slope = mesh.xy;
   // Texels that cover the pixel on the ground: the mean of its two sides.
   let facing = max(-dir.y + dot(land_to_world(mesh_slope), dir.xz), 0.0) * inverseSqrt(1.0 + dot(mesh_slope, mesh_slope));
   let size = 0.58 * frame.pixel_angle * distance_m * inverseSqrt(max(facing, 0.02));
   let map = land_at(place, land_lod(size));
-  let slope = mix(map.yz, mesh_slope, is_outside);
-  let ground = land_ground(place, height, land_run_up_m(position.xz), map * (1.0 - is_outside), slope, size);
+  let run_up = land_run_up_m(position.xz);
+  var slope = mix(map.yz, mesh_slope, is_outside);
+  var ground: LandGround;
+  if shown.y == 0.0 {
+    ground = land_ground(place, height, run_up, map * (1.0 - is_outside), slope, size);
+  } else {
+    slope = mesh_slope;
+    ground = cover_ground(shown.y, mesh.z, place, height, run_up, size);
+  }
 
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(position.xz, log2(max(size, 1.0)));
@@ -111,15 +113,18 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   if LAND_SHADOWS {
     sunlight *= land_visible_sun(place, height);
   }
+  sunlight *= 0.3 + 0.7 * mesh.w;
   let tilt = land_to_world(slope + ground.relief);
   let n = vec3f(-tilt.x, 1.0, -tilt.y) * inverseSqrt(1.0 + dot(tilt, tilt));
   let l = frame.sun_direction;
-  let open = mix(land_open_sky(place, height, size), 1.0, is_outside);
+  let open = mesh.w * mix(land_open_sky(place, height, size), 1.0, is_outside);
   // A slope sees less of the sky and, instead, ground nearby, which reflects a fifth of the light that falls on it.
   let level = sunlight * max(l.y, 0.0) + light.sky_irradiance;
   let up = 0.5 + 0.5 * n.y;
   let sky_light = open * (up * light.sky_irradiance + (1.0 - up) * 0.2 * level);
-  let cosine = max(dot(n, l), 0.0);
+  let to_sun = dot(n, l);
+  // Grass is lit from both sides.
+  let cosine = max(to_sun, select(0.0, -COVER_BLADE_THROUGH * to_sun, shown.y < 0.0));
   var radiance = ground.albedo * (sunlight * cosine + sky_light) / ATM_PI;
   if ground.film > 0.0 {
     // As sand under water that has no depth (shaders/water/bed.wgsl).

@@ -42,7 +42,7 @@ use drops::spray::{SprayLevel, SprayUniform};
 use film::present::PresentPass;
 use film::tone::{TonePass, ToneUniform};
 use frame_maps::{FrameCascade, FrameFoamGrid};
-use land::{LandPass, LandVertex};
+use land::{CoverUniform, LandPass, LandStone, LandVertex};
 use scene_group::{SceneGroup, SceneResources};
 use sky::background::BackgroundPass;
 use sky::clouds::{CloudField, CloudView};
@@ -82,6 +82,8 @@ pub const SHARED_STRUCTS: &[StructDeclaration] = &[
     SprayUniform::DECLARATION,
     RainUniform::DECLARATION,
     LandVertex::DECLARATION,
+    LandStone::DECLARATION,
+    CoverUniform::DECLARATION,
     LandUniform::DECLARATION,
     ToneUniform::DECLARATION,
     ViewTile::DECLARATION,

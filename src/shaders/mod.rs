@@ -189,11 +189,13 @@ const MODULES: &[(&str, &[SourcePart])] = &[
         "land/light",
         &[
             MATHS,
+            NOISE,
             PICTURE,
             part!("water/fresnel.wgsl"),
             MIRRORED_MAP,
             LAND,
             part!("land/ground.wgsl"),
+            part!("land/cover.wgsl"),
             LIT_PIXEL,
             part!("land/light.wgsl"),
         ],

@@ -1,9 +1,11 @@
-//! The land of a coast: a mesh that is drawn into the G-buffer before the water, and a pass that lights its pixels
-//! (shaders/land). The water reads its depth from the land's map.
+//! The land of a coast: a mesh, stones and grass that are drawn into the G-buffer before the water, and a pass that lights
+//! their pixels (shaders/land). The water reads its depth from the land's map.
 
+mod cover;
 pub mod map;
 mod mesh;
 mod relief;
+mod stones;
 
 use super::scene::Scene;
 use super::targets::{DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, G_BUFFER_FORMATS, attachments};
@@ -15,12 +17,15 @@ use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram}
 use crate::gpu::uniform::Uniform;
 use crate::shaders::Shaders;
 use crate::state::look::{CloudKind, SkyLook};
+use cover::{Cover, CoverPipelines};
 use map::LandUniform;
 use mesh::LandMesh;
 use relief::Relief;
 use std::sync::Arc;
 
+pub use cover::CoverUniform;
 pub use mesh::LandVertex;
+pub use stones::LandStone;
 
 /// Depth test of the light of the land: its triangle lies behind all land and before the sky.
 const DEPTH_TEST_LIGHT: DepthState = DepthState { compare: wgpu::CompareFunction::LessEqual, ..DEPTH_TEST_BACKGROUND };
@@ -48,13 +53,16 @@ pub struct LandPass {
     uniform: Uniform<LandUniform>,
     /// The map that shaders read: one texel of no meaning without land.
     map: wgpu::TextureView,
-    /// Triangles: bind group of the vertices, indices and their number.
+    /// Triangles: bind group of the vertices and of what covers the land, indices and their number.
     mesh: Option<(wgpu::BindGroup, wgpu::Buffer, u32)>,
+    cover: Option<Cover>,
 }
 
 struct Made {
     module: wgpu::ShaderModule,
     g_buffer_pipeline: wgpu::RenderPipeline,
+    cover_pipelines: CoverPipelines,
+    vertices_layout: wgpu::BindGroupLayout,
     light_pipelines: PipelineVariants<LandVariant>,
 }
 
@@ -68,6 +76,7 @@ impl LandPass {
             uniform: Uniform::new(gpu, "land"),
             map: map::no_land_map(gpu),
             mesh: None,
+            cover: None,
         }
     }
 
@@ -95,6 +104,7 @@ impl LandPass {
         }
         self.map.texture().destroy();
         self.mesh = None;
+        self.cover = None;
         let Some(land) = land else {
             self.map = map::no_land_map(gpu);
             return true;
@@ -108,16 +118,17 @@ impl LandPass {
         let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST;
         let indices = gpu.buffer("land", size_of_val(mesh.indices.as_slice()).max(4) as u64, usage);
         gpu.queue.write_buffer(&indices, 0, bytemuck::cast_slice(&mesh.indices));
-        let group = gpu.bind_group("land", &layout, &[vertices.as_entire_binding()]);
+        let cover = Cover::new(gpu, &relief);
+        let resources = [&vertices, &cover.stones, &cover.corners, &cover.uniform.buffer];
+        let group = gpu.bind_group("land", &layout, &resources.map(wgpu::Buffer::as_entire_binding));
+        self.cover = Some(cover);
         self.mesh = Some((group, indices, mesh.indices.len() as u32));
         true
     }
 
     /// Selects the pipelines for the frame of a scene, and compiles them at first use.
     pub fn select_pipelines(&mut self, gpu: &Gpu, scene: &Scene, water: &WaterPass) {
-        if self.coast.is_none() {
-            return;
-        }
+        let (Some(coast), Some(cover)) = (&self.coast, &mut self.cover) else { return };
         let made = self.made.get_or_insert_with(|| {
             let module = self.shaders.module(gpu, "land/light");
             let vertices_layout = vertices_layout(gpu);
@@ -126,8 +137,11 @@ impl LandPass {
             let onto = AttachmentFormats { formats: &G_BUFFER_FORMATS, depth: Some(DEPTH_TEST_OPAQUE), blend: None };
             let g_buffer_pipeline =
                 gpu.render_pipeline("land/mesh", &program, &[&water.scene.layout, &vertices_layout], &onto);
-            Made { module, g_buffer_pipeline, light_pipelines: PipelineVariants::default() }
+            let (cover_pipelines, light_pipelines) = (CoverPipelines::default(), PipelineVariants::default());
+            Made { module, g_buffer_pipeline, cover_pipelines, vertices_layout, light_pipelines }
         });
+        cover.prepare(gpu, scene, coast);
+        made.cover_pipelines.compile(gpu, &made.module, &[&water.scene.layout, &made.vertices_layout], cover);
         let sky = &scene.look.sky;
         let parts = LandVariant {
             sky_image: sky.panorama().is_some(),
@@ -158,7 +172,7 @@ impl LandPass {
         WATER_SHADING_SUN_DEG.contains(&sky.sun_elevation_azimuth_deg()[0])
     }
 
-    /// Draws the land into the G-buffer; its pixels have the undisplaced position of no water.
+    /// Draws the land, and what covers it, into the G-buffer; its pixels have the undisplaced position of no water.
     pub fn draw_g_buffer(&self, pass: &mut wgpu::RenderPass<'_>, water: &WaterPass) {
         let (Some(made), Some((vertices, indices, count))) = (&self.made, &self.mesh) else { return };
         pass.set_pipeline(&made.g_buffer_pipeline);
@@ -166,6 +180,9 @@ impl LandPass {
         pass.set_bind_group(1, vertices, &[]);
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..*count, 0, 0..1);
+        if let Some(cover) = &self.cover {
+            cover.draw(pass, &made.cover_pipelines);
+        }
     }
 
     /// Draws the light of all pixels that show land.
@@ -180,5 +197,7 @@ impl LandPass {
 }
 
 fn vertices_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
-    gpu.bind_group_layout("land", wgpu::ShaderStages::VERTEX, &[BindingType::StorageRead(size_of::<LandVertex>())])
+    let [stones, corners, cover] = Cover::bindings();
+    let bindings = [BindingType::StorageRead(size_of::<LandVertex>()), stones, corners, cover];
+    gpu.bind_group_layout("land", wgpu::ShaderStages::VERTEX, &bindings)
 }

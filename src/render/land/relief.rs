@@ -248,6 +248,37 @@ impl Relief {
         }
     }
 
+    /// Height, m, at a place in the coast's rectangle, by linear interpolation.
+    pub fn height_at_m(&self, place_m: [f64; 2]) -> f32 {
+        self.between(place_m, |i| [self.height_m[i], 0.0])[0]
+    }
+
+    /// Slopes along x and y at a place in the coast's rectangle, by linear interpolation.
+    pub fn slope_at(&self, place_m: [f64; 2]) -> [f32; 2] {
+        self.between(place_m, |i| self.slope[i])
+    }
+
+    /// What the ground consists of at the point nearest to a place in the coast's rectangle.
+    pub fn kind_at(&self, place_m: [f64; 2]) -> f32 {
+        let [column, row] = self.inner_place(place_m).map(|at| at.round() as usize);
+        self.kind[Self::inner_index(column, row)]
+    }
+
+    /// Column and row of a place in the coast's rectangle, as fractions between its points.
+    fn inner_place(&self, place_m: [f64; 2]) -> [f64; 2] {
+        let last = (INNER - 1) as f64;
+        [0, 1].map(|axis| (place_m[axis] / self.axes[axis].side_m * last).clamp(0.0, last))
+    }
+
+    fn between(&self, place_m: [f64; 2], value: impl Fn(usize) -> [f32; 2]) -> [f32; 2] {
+        let at = self.inner_place(place_m);
+        let [column, row] = at.map(|at| (at as usize).min(INNER - 2));
+        let [u, v] = [at[0] - column as f64, at[1] - row as f64].map(|part| part as f32);
+        let corner = |i: usize, j: usize| value(Self::inner_index(column + i, row + j));
+        let mix = |a: [f32; 2], b: [f32; 2], t: f32| [0, 1].map(|c: usize| a[c] + t * (b[c] - a[c]));
+        mix(mix(corner(0, 0), corner(1, 0), u), mix(corner(0, 1), corner(1, 1), u), v)
+    }
+
     /// Index of the point of the coast's rectangle in this column and row of it.
     pub fn inner_index(column: usize, row: usize) -> usize {
         (BEFORE + row) * POINTS + BEFORE + column
