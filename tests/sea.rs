@@ -243,6 +243,21 @@ fn whitecaps_cover_what_the_wind_makes_them() {
     }
 }
 
+/// A short fetch leaves the waves shorter than the cells of the wide levels. These have the mean foam then: what is left
+/// of the waves there is mostly rounding, and would turn most of the distant sea white.
+#[test]
+fn short_waves_whiten_every_level_alike() {
+    let gpu = gpu();
+    // Waves of a second break for less time than the fit of the mean foam supposes, so the finest level has more.
+    for (wind, fetch, most) in [(8.0, 0.5, 2.5), (14.0, 0.5, 1.5), (14.0, 10.0, 1.5)] {
+        let at = |t: f64| foam(&gpu, &format!("wind={wind}&fetch={fetch}&n=128&t={t}"), None);
+        let levels: Vec<f64> = at(5.0).iter().zip(at(40.0)).map(|(a, b)| 0.5 * (a + b)).collect();
+        let monahan = statistics::monahan_coverage(wind);
+        eprintln!("wind {wind} m/s, fetch {fetch} km: {levels:.5?}, Monahan {monahan:.5}");
+        assert!(levels.iter().all(|f| f / monahan > 1.0 / most && f / monahan < most), "{wind} {fetch}: {levels:?}");
+    }
+}
+
 #[test]
 fn every_control_of_the_foam_works() {
     let gpu = gpu();

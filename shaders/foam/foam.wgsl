@@ -23,6 +23,10 @@
 // Whether the sea runs up to a coast.
 override FOAM_COAST: bool = false;
 
+// Foam that a breaker at a coast leaves behind its front, relative to that of one in the open sea with the same source: the
+// next one comes a period later, and between them foam is torn to lace over bubbles.
+const FOAM_BEHIND_ROLLER = 0.45;
+
 // Largest stored excess over the breaking criterion.
 const FOAM_MOST_EXCESS = 6.0;
 
@@ -104,11 +108,15 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let slope = foam.levels[level].source_slope;
   let over = 1.0 + (foam.levels[level].jacobian_threshold - waves.jacobian) * slope;
   var excess = select(0.0, clamp(over, 0.0, FOAM_MOST_EXCESS), slope > 0.0);
-  var source = saturate(excess - 1.0);
+  // Sources of foam, front and plume. A level that is too coarse for the waves that break has the sea's mean foam in all
+  // cells, and no leaning crests.
+  var source = vec3f(max(saturate(excess - 1.0), foam.levels[level].even_source));
   if FOAM_COAST {
-    // A wave that breaks at a coast leans as far as one in the open sea with the same source, and foams below its roller.
+    // A wave that breaks at a coast leans as far as one in the open sea with the same source. All of its roller draws in
+    // air, and the middle of it is a front.
     excess = max(excess, 2.0 * waves.roller);
-    source = max(source, waves.roller);
+    let square = waves.roller * waves.roller;
+    source = max(source, vec3f(FOAM_BEHIND_ROLLER * waves.roller, square * square, waves.roller));
   }
 
   let at = 3u * ((level * foam.cells_per_side + id.y) * foam.cells_per_side + id.x);

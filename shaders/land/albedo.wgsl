@@ -5,7 +5,7 @@ const LAND_ROCK_SLOPES = vec2f(0.45, 0.85);
 // Height above the still water, m, at which the first dune grass grows.
 const LAND_GRASS_M = 3.2;
 // Fractions of its albedo, RGB, that wet sand keeps.
-const LAND_DAMP = vec3f(0.54, 0.50, 0.46);
+const LAND_DAMP = vec3f(0.48, 0.44, 0.40);
 // Albedos.
 const LAND_MARRAM = vec3f(0.112, 0.122, 0.056);
 const LAND_STRAW = vec3f(0.235, 0.200, 0.112);
@@ -31,10 +31,11 @@ fn land_sand_albedo(middle: vec4f, fine: vec4f) -> vec3f {
 // set-up and an eighth of the swash are 0.45 to 0.52 of the run-up, on slopes of 4 to 10 %.
 const LAND_FILM_SHARE = 0.5;
 
-// Share of ground that is wet at a height above the still water, m, where the waves run up to the height `run_up`, m.
-// Noise bends the line.
+// Share of ground that is wet at a height above the still water, m, where the waves run up to the height `run_up`, m. A
+// normal noise bends the line. The calmer the sea, the narrower is the edge.
 fn land_wetness(height: f32, bend: f32, run_up: f32) -> f32 {
-  return 1.0 - maths_smooth((height + 0.14 * bend - run_up) * 1.6 + 0.4);
+  let over = height - run_up * (1.0 + 0.13 * bend);
+  return 1.0 - maths_smooth(over / (0.06 + 0.3 * run_up) + 0.5);
 }
 
 // Share of rock in ground of a slope.

@@ -187,10 +187,10 @@ fn cover_stone(look: f32, place: vec2f, height: f32, run_up: f32, size: f32) -> 
   let rock = mix(LAND_DARK_ROCK, LAND_ROCK, 0.25 + 0.75 * tone);
   var out: LandGround;
   out.albedo = select(stone, rock, look >= 2.0) * max(1.0 + 0.13 * face.z + 0.09 * face.w, 0.4);
-  let wet = land_wetness(height - 0.3, 0.8 * face.z + 3.0 * tone - 1.5, run_up);
-  out.albedo = mix(out.albedo, LAND_WEED + 0.2 * out.albedo, 0.9 * wet);
+  let washed = land_washed(out.albedo, height, run_up, 0.8 * face.z + 3.0 * tone - 1.5);
+  out.albedo = washed.rgb;
   out.relief = vec2f(0.22 * face.z, 0.22 * face.w);
-  out.film = 0.3 * wet;
+  out.film = 0.3 * washed.w;
   return out;
 }
 

@@ -4,6 +4,12 @@
 const LAND_WIDE_M = 437.0;
 const LAND_REGION_M = 2230.0;
 
+// Heights up to which waves splash stone, and up to which it is weedy, relative to that which they run up a beach.
+const LAND_SPLASH = 1.3;
+const LAND_WEED_ZONE = 0.5;
+// Fraction of its albedo that wet stone keeps.
+const LAND_WET_STONE = 0.45;
+
 struct LandGround {
   albedo: vec3f,
   // Slope of the fine relief, to be added to that of the land, in the frame of the coast.
@@ -32,17 +38,20 @@ fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
 fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) -> LandGround {
-  let wet = land_wetness(height, middle.z, run_up);
+  let wet = land_wetness(height, middle.z + 0.5 * fine.w, run_up + 0.04);
+  // The last waves have left it darker, up to a line of lobes.
+  let fresh = land_wetness(height, 1.5 * middle.w + 0.6 * middle.z, 0.72 * run_up + 0.02);
   // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
   var out: LandGround;
   out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.07 * rippled * fine.y);
   out.albedo = mix(out.albedo, LAND_WRACK, land_wrack(height - run_up, middle, fine, size));
-  out.albedo *= mix(vec3f(1.0), LAND_DAMP, wet);
+  out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.6 * wet + 0.4 * fresh);
   out.relief = vec2f(0.30 * rippled * fine.x, 0.0);
-  // The film drains through the sand: its edge has lobes.
-  let lobes = 0.10 * middle.z + 0.06 * fine.w + 0.04 * fine.z;
-  out.film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 5.0 + 0.5);
+  // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
+  let lively = 0.1 + 0.9 * min(run_up, 1.0);
+  let lobes = lively * (0.10 * middle.z + 0.06 * fine.w + 0.04 * fine.z);
+  out.film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 5.0 / lively + 0.5);
   return out;
 }
 
@@ -85,6 +94,15 @@ fn land_plants(
   return out;
 }
 
+// Stone of an albedo where the sea washes it: dark as high as the waves splash, and weedy as high as they cover it often.
+// The last component is the share of stone that is wet.
+fn land_washed(albedo: vec3f, height: f32, run_up: f32, bend: f32) -> vec4f {
+  let wet = land_wetness(height, bend, LAND_SPLASH * run_up + 0.1);
+  let weedy = land_wetness(height, 1.6 * bend, LAND_WEED_ZONE * run_up + 0.15);
+  let dark = mix(albedo, LAND_WET_STONE * albedo, wet);
+  return vec4f(mix(dark, LAND_WEED + 0.18 * albedo, 0.85 * weedy), wet);
+}
+
 // Bedrock in layers, dark and weedy where waves keep it wet.
 fn land_rock(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> LandGround {
   // Layers dip gently; cracks cross them.
@@ -96,10 +114,10 @@ fn land_rock(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, f
   out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.16 * face.w + 0.10 * fine.z, 0.3);
   // Lichen and iron colour what the spray no longer reaches.
   out.albedo *= mix(vec3f(1.0), vec3f(1.16, 1.0, 0.80), saturate(0.4 * wide.w + 0.3 * middle.w));
-  let wet = land_wetness(height - 0.5, 1.4 * middle.z, run_up);
-  out.albedo = mix(out.albedo, LAND_WEED + 0.18 * out.albedo, 0.85 * wet);
+  let washed = land_washed(out.albedo, height, run_up, 1.4 * middle.z + 0.5 * fine.z);
+  out.albedo = washed.rgb;
   out.relief = vec2f(0.35 * face.z + 0.25 * strata.z, 0.32 * face.w);
-  out.film = 0.35 * wet;
+  out.film = 0.35 * washed.w;
   return out;
 }
 
@@ -112,10 +130,10 @@ fn land_rubble(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f,
   let gap = saturate(-0.55 * blocks.w - 0.1);
   var out: LandGround;
   out.albedo = LAND_BLOCK * max(1.0 + 0.16 * middle.z + 0.13 * blocks.z + 0.08 * fine.z, 0.3) * (1.0 - 0.8 * gap);
-  let wet = land_wetness(height - 0.3, 1.5 * middle.z, run_up);
-  out.albedo = mix(out.albedo, LAND_WEED + 0.2 * out.albedo, 0.9 * wet);
+  let washed = land_washed(out.albedo, height, run_up, 1.5 * middle.z + 0.5 * blocks.z);
+  out.albedo = washed.rgb;
   out.relief = vec2f(0.5 * blocks.z + 0.25 * fine.w, 0.45 * blocks.w);
-  out.film = 0.3 * wet;
+  out.film = 0.3 * washed.w;
   return out;
 }
 

@@ -12,13 +12,14 @@ const LAND_PENUMBRA = 0.022;
 struct LandHorizon {
   // Tangent of its elevation; 0 if no land rises there.
   rise: f32,
-  // Distance of that land, m.
+  // Distance, m, of the first land that rises as high as the ray, or else of the highest.
   far_m: f32,
 }
 
 // The highest land before a place in the frame of the coast, at the height `height`, in the direction `toward`. Rays whose
-// elevation has the tangent `rise` and more are to be compared with it. Beyond the map its edge goes on.
-fn land_horizon(place: vec2f, height: f32, toward: vec2f, rise: f32) -> LandHorizon {
+// elevation has the tangent `rise` and more are to be compared with it; the ray itself has the tangent `aim`. Beyond the map
+// its edge goes on.
+fn land_horizon(place: vec2f, height: f32, toward: vec2f, rise: f32, aim: f32) -> LandHorizon {
   let reach_m = min(LAND_HIGHEST_M / max(rise, 1e-3), LAND_LONGEST_RAY_M);
   let part_m = reach_m * (1.0 / f32(LAND_RAY_STEPS * LAND_RAY_STEPS));
   let start = place * land.uv_per_m + land.uv_start;
@@ -39,7 +40,7 @@ fn land_horizon(place: vec2f, height: f32, toward: vec2f, rise: f32) -> LandHori
     let bend = max(2.0 * here - before - after, 1e-6);
     let top = max(after, select(0.0, here + fall * fall / (8.0 * bend), here > max(before, after)));
     if top > out.rise {
-      out = LandHorizon(top, far_m);
+      out = LandHorizon(top, select(far_m, out.far_m, out.rise > aim));
     }
     before = here;
     here = after;
@@ -53,6 +54,6 @@ fn land_visible_sun(place: vec2f, height: f32) -> f32 {
   let l = frame.sun_direction;
   let over_across = inverseSqrt(max(dot(l.xz, l.xz), 1e-6));
   let rise = max(l.y, 0.0) * over_across;
-  let horizon = land_horizon(place, height, land_from_world(l.xz) * over_across, rise - LAND_PENUMBRA);
+  let horizon = land_horizon(place, height, land_from_world(l.xz) * over_across, rise - LAND_PENUMBRA, rise);
   return maths_smooth(0.5 + (rise - horizon.rise) * (0.5 / LAND_PENUMBRA));
 }

@@ -13,7 +13,8 @@ fn land_far_radiance(place: vec2f, map: vec4f) -> vec3f {
 }
 
 // Replaces what the water mirrors by the land, where its rays meet land. `place` is that of the water in the frame of the
-// coast, `height` its height, m. All rays that meet the land see the colour of its highest part.
+// coast, `height` its height, m. All rays that meet the land see the colour of the land that the middle one meets, or of the
+// highest if that one passes over it.
 fn land_mirrored(mirror: WaterMirror, place: vec2f, height: f32, rays: WaterMirroredRays) -> WaterMirror {
   let past = max(-place, place - land.side_m);
   let over_level = inverseSqrt(max(dot(rays.ray.xz, rays.ray.xz), 1e-4));
@@ -23,7 +24,7 @@ fn land_mirrored(mirror: WaterMirror, place: vec2f, height: f32, rays: WaterMirr
     return mirror;
   }
   let toward = land_from_world(rays.ray.xz) * over_level;
-  let horizon = land_horizon(place, height, toward, lowest);
+  let horizon = land_horizon(place, height, toward, lowest, rise);
   var out = mirror;
   if horizon.rise > 0.0 {
     let sharp = inverseSqrt(rays.blur.y * rays.blur.y + 1e-6);

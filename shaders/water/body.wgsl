@@ -31,6 +31,11 @@ fn water_reflectance(plume: f32) -> vec3f {
     + past * material.deep_reflectance;
 }
 
+// Share of the light from below a layer of bubbles that they hide by their own.
+fn water_bubble_veil(plume: f32) -> f32 {
+  return 1.0 - exp(-2.0 * WATER_PLUME_DEPTH_M * water_bubble_backscatter(plume));
+}
+
 // Irradiance by the sun that enters the water where the waves, without their ripples, have the normal `n`.
 fn water_entering_sunlight(n: vec3f) -> vec3f {
   let l = frame.sun_direction;

@@ -11,9 +11,14 @@ override WATER_COAST: bool = false;
 // Factors of ordinary cascades, of offshore waves, and of waves at the coast (x, y, z) at an undisplaced position relative
 // to the point below the eye, m. Outside the square, those of its edge hold.
 fn coast_gains(at: vec2f) -> vec3f {
+  return coast_at(at).xyz;
+}
+
+// The same factors, and the height, m, that the waves run up the land there (w).
+fn coast_at(at: vec2f) -> vec4f {
   let half_texel = 0.5 / vec2f(textureDimensions(coast_gains_map));
   let uv = clamp(frame.coast_uv_below_eye + at * frame.coast_inverse_side, half_texel, 1.0 - half_texel);
-  return textureSampleLevel(coast_gains_map, nearest_mip_sampler, uv, 0.0).xyz;
+  return textureSampleLevel(coast_gains_map, nearest_mip_sampler, uv, 0.0);
 }
 
 // Factor on the waves of a layer.

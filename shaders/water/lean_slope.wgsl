@@ -82,19 +82,22 @@ fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDeriva
   var gains: vec3f;
   if WATER_COAST {
     gains = coast_gains(at);
-    waves.variance *= gains.x * gains.x;
   }
   let inverse_step = water_inverse_carrying_step(at);
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
     let map = frame.cascades[c];
     let own_gust = water_gust_share(map, gust);
+    var own_gains = gains;
+    if WATER_COAST && c >= frame.cascade_count {
+      own_gains = WATER_LOCAL_GAINS;
+    }
     if foot.side_m * map.inverse_patch >= LEAN_FADE_END {
-      waves.variance += water_distant_covariance(map, at, own_gust, gains);
+      waves.variance += water_distant_covariance(map, at, own_gust, own_gains);
       continue;
     }
     let share = select(0.0, water_carried_fraction(map, inverse_step), c < frame.cascade_count);
     if share < 1.0 {
-      lean_add_waves(&waves, at, foot, map, share, own_gust, gains);
+      lean_add_waves(&waves, at, foot, map, share, own_gust, own_gains);
     }
   }
   // As water_displaced_slope, with a cheaper limit and one mean for the whole pixel.

@@ -6,8 +6,26 @@ const BED_SHORE_M = vec2f(0.8, 3.5);
 // Depth of the water, m, below which the edge of the swash is a line of foam, and the part of it that foam covers.
 const SHORE_LACE_M = 0.045;
 const SHORE_LACE_COVER = 0.62;
-// Height of the run-up of the sea, m, below which its edge bears no foam (x), and from which it bears all (y).
+// The sheet of water that runs up sand bears old foam behind that line: its part, and the depth up to which it does,
+// relative to the height of the run-up.
+const SHORE_SHEET_COVER = 0.30;
+const SHORE_SHEET_DEPTH = 0.30;
+// Height of the run-up, m, below which the edge of the water bears no foam (x), and from which it bears all (y).
 const SHORE_LACE_RUN_UP_M = vec2f(0.1, 0.6);
+// The same for the collar of foam around rock and walls, where waves of some decimetres only splash.
+const SHORE_COLLAR_RUN_UP_M = vec2f(0.25, 1.3);
+// Part of the collar that foam covers at the waterline, and depth of the still water in which it ends, relative to the
+// height of the run-up, where the level is the mean one: twice as wide on crests, nothing in the deepest troughs.
+const SHORE_COLLAR_COVER = 0.9;
+const SHORE_COLLAR_DEPTH = 1.5;
+// Share of foam on a wall of concrete, which throws waves back without breaking them.
+const SHORE_WALL_SHARE = 0.3;
+// Width of the ground, m, by whose mean slope the foot of a cliff is told from a beach, and the factor on that slope:
+// half of this ground is level bed.
+const SHORE_CLIFF_M = 24.0;
+const SHORE_CLIFF_SLOPES = 2.0;
+// Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
+const SHORE_PLUME = 0.6;
 
 // Share of the land's look in the bed under a column of water.
 fn bed_shore_share(column: f32) -> f32 {
@@ -23,19 +41,59 @@ fn bed_shore_ground(ground: BedGround, at: vec2f, column: f32, size: f32) -> Bed
   return BedGround(mix(ground.albedo, sand, share), ground.slope * (1.0 - share * share));
 }
 
-// The foam of a pixel, with that of the swash, which carries it at its edge. `at` is the pixel's place relative to the
-// point below the eye, `height` the height of the water there, m, and `size` the width of the pixel's texels, m.
+// Height that the waves run up the land, m, at a point (x, z) relative to the one below the eye.
+fn shore_run_up_m(at: vec2f) -> f32 {
+  if WATER_COAST {
+    return coast_at(at).w;
+  }
+  return land.run_up_m;
+}
+
+// Rises smoothly from 0 to 1 while `v` crosses a range.
+fn shore_rise(v: f32, range: vec2f) -> f32 {
+  return maths_smooth((v - range.x) / (range.y - range.x));
+}
+
+// How much of the ground breaks the waves at once, 0 to 1: rock and rubble do. `ground` is that of land_at.
+fn shore_hardness(ground: vec4f, place: vec2f, size: f32) -> f32 {
+  let built = land_built_share(ground);
+  if built == 1.0 {
+    return select(1.0, SHORE_WALL_SHARE, ground.w > 0.0);
+  }
+  let around = land_at(place, land_lod(max(SHORE_CLIFF_M, size)));
+  return max(built, land_rock_share(SHORE_CLIFF_SLOPES * length(around.yz)));
+}
+
+// Foam of a pixel with `cover` more of it, whose youth is `young`. It lies beside that of breakers as often as on it.
+fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32) -> FoamAmount {
+  let all = foam.cover + (1.0 - foam.cover) * cover;
+  let old = foam.cover / max(all, 1e-4);
+  return FoamAmount(all, old * foam.fresh, max(foam.plume, SHORE_PLUME * cover), mix(young, foam.young, old));
+}
+
+// The foam of a pixel, with that of the swash, which carries it at its edge, and with the collar of foam around rock and
+// walls. `at` is the pixel's place relative to the point below the eye, `height` the height of the water there, m, and
+// `size` the width of the pixel's texels, m.
 fn shore_add_lace(foam: FoamAmount, at: vec2f, height: f32, size: f32) -> FoamAmount {
-  let column = land_depth_m(at, size) + height;
-  if column >= SHORE_LACE_M {
+  let place = land_place(at);
+  let ground = land_at(place, land_lod(size));
+  // No collar reaches deeper than one of the highest waves.
+  if -ground.x > 2.0 * SHORE_COLLAR_DEPTH * land.run_up_m {
     return foam;
   }
-  let range = SHORE_LACE_RUN_UP_M;
-  let lively = saturate((land.run_up_m - range.x) / (range.y - range.x));
-  let line = maths_smooth(2.0 - 2.0 * max(column, 0.0) / SHORE_LACE_M);
-  let cover = SHORE_LACE_COVER * min(frame.foam_amount, 1.0) * lively * line;
-  var out = foam;
-  out.young = mix(foam.young, 1.0, cover / max(cover + foam.cover, 1e-4));
-  out.cover = max(foam.cover, cover);
+  let run_up = max(shore_run_up_m(at), 1e-3);
+  let depth = max(height - ground.x, 0.0) / run_up;
+  let lively = shore_rise(run_up, SHORE_LACE_RUN_UP_M);
+  let amount = min(frame.foam_amount, 1.0);
+  let line = maths_smooth(2.0 - 2.0 * depth * run_up / SHORE_LACE_M);
+  let sheet = SHORE_SHEET_COVER * maths_smooth(1.0 - depth / SHORE_SHEET_DEPTH);
+  var out = shore_more_foam(foam, amount * lively * max(SHORE_LACE_COVER * line, sheet), line);
+  // The collar grows with a crest that runs up the rock, and what it leaves is drawn out by the trough.
+  let reach = SHORE_COLLAR_DEPTH * (1.0 + clamp(height / run_up, -1.0, 1.0));
+  let near = 1.0 + ground.x / (run_up * max(reach, 1e-3));
+  if near > 0.0 && run_up > SHORE_COLLAR_RUN_UP_M.x {
+    let hard = shore_hardness(ground, place, size) * shore_rise(run_up, SHORE_COLLAR_RUN_UP_M);
+    out = shore_more_foam(out, SHORE_COLLAR_COVER * amount * hard * maths_smooth(near), near);
+  }
   return out;
 }

@@ -123,7 +123,13 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   var below = water_deep_radiance(n, ray, foam.plume);
   if WATER_BED {
     let size = WATER_TAP_TEXEL_RATIO * vec2f(foot.length_m, foot.width_m);
-    below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
+    let clear = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
+    if WATER_LAND && foam.plume > WATER_MIN_PLUME {
+      // Near a shore waves break over a bed that the eye would see: their bubbles veil it.
+      below = mix(clear, below, water_bubble_veil(foam.plume));
+    } else {
+      below = clear;
+    }
   }
   if material.crest_transmission > 0.0 && point.height > 0.0 {
     below += water_crest_radiance(n, ray, slope, point.height, foam.plume);

@@ -92,6 +92,7 @@ impl Interpolate for FoamParameters {
             foam::FoamSource {
                 jacobian_threshold: threshold,
                 source_slope: interpolate(a.source_slope, b.source_slope, fraction),
+                even: interpolate(a.even, b.even, fraction),
             }
         };
         Self {
@@ -234,7 +235,7 @@ impl FoamScheduler {
                 initial_foam: self.parameters.mean_foam as f32,
                 coast_uv: maps.coast.as_ref().map_or([0.0; 2], |coast| coast.square.uv(corner).map(|x| x as f32)),
                 coast_uv_per_cell: maps.coast.as_ref().map_or(0.0, |coast| (cell_m / coast.square.side_m) as f32),
-                unused: 0,
+                even_source: source.even as f32,
             }
         });
         let mut cascades = [FoamCascade::default(); MAX_DRAWN_CASCADES];

@@ -152,8 +152,8 @@ gpu_struct! {
         pub coast_uv: [f32; 2],
         /// Side of a foam cell, in sides of the square of a coast.
         pub coast_uv_per_cell: f32,
-        /// Unused; pads the struct to a multiple of 16 bytes, as an array element needs it.
-        pub unused: u32,
+        /// Foam source, 0 to 1, in all cells of a level that is too coarse for the waves that break; else 0.
+        pub even_source: f32,
     }
 }
 

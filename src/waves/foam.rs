@@ -52,17 +52,33 @@ const MAX_COVERAGE: f64 = 0.9;
 const STRAIN_DETERMINANT_COEFFICIENT: f64 = 0.2;
 /// Texel size, m, of the foam grid for which the threshold of `whitecaps=fixed` holds; it is converted for other grids.
 const REFERENCE_TEXEL_M: f64 = 0.25;
+/// Least standard deviation of the strain on a foam grid, relative to that on the texels of breakers, with which the grid
+/// shows where waves break. On coarser grids hardly a wave is left: rounding and the seams between copies of a patch
+/// would make most of the remaining strain, and foam everywhere.
+const MIN_RESOLVED_STRAIN: f64 = 0.25;
 /// Standard deviation (dimensionless) of the horizontal strain below which the water counts as flat and gets no foam.
 const MIN_STRAIN_DEVIATION: f64 = 1e-6;
 
-/// Foam source, 0 (no foam forms) to 1, as a function of the Jacobian J of the displacement: clamp((threshold - J) x
-/// slope, 0, 1). The foam pass multiplies it by the user's growth rate (1/s).
+/// Foam source, 0 (no foam forms) to 1, as a function of the Jacobian J of the displacement: the larger of `even` and
+/// clamp((threshold - J) x slope, 0, 1). The foam pass multiplies it by the user's growth rate (1/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FoamSource {
     /// Jacobian of the displacement below which foam forms.
     pub jacobian_threshold: f64,
     /// Increase of the foam source for each decrease of the Jacobian by 1 below the threshold.
     pub source_slope: f64,
+    /// Foam source everywhere, of a grid too coarse for the waves that break: it keeps the mean foam of the sea. Else 0.
+    pub even: f64,
+}
+
+impl FoamSource {
+    /// Source of water without foam.
+    const NONE: Self = Self { jacobian_threshold: -1e3, source_slope: 0.0, even: 0.0 };
+
+    /// Foam source, 0 to 1, where the displacement has the Jacobian `jacobian`.
+    pub fn at(&self, jacobian: f64) -> f64 {
+        ((self.jacobian_threshold - jacobian) * self.source_slope).clamp(0.0, 1.0).max(self.even)
+    }
 }
 
 /// Foam model of a sea: the Jacobian of the displacement below which foam forms, and the mean foam that this gives.
@@ -105,18 +121,26 @@ impl FoamModel {
     }
 
     /// Foam source on a foam grid with texels of `texel_m` (m), at least those of [`breaker_texel_m`]. A coarser grid
-    /// resolves less variance of the Jacobian, so its threshold is nearer to 1.
+    /// resolves less variance of the Jacobian, so its threshold is nearer to 1. A grid that is too coarse for the waves
+    /// that break has the mean foam of the sea in all cells.
     pub fn foam_source_for_texel(&self, plan: &Plan, texel_m: f64) -> FoamSource {
-        let sigma = strain_deviation(plan, texel_m.max(breaker_texel_m(plan)));
-        if sigma < MIN_STRAIN_DEVIATION || self.threshold_sigmas.is_infinite() {
-            return FoamSource { jacobian_threshold: -1e3, source_slope: 0.0 };
+        let breaker_m = breaker_texel_m(plan);
+        let sigma = strain_deviation(plan, texel_m.max(breaker_m));
+        if self.threshold_sigmas.is_infinite() {
+            return FoamSource::NONE;
+        }
+        if sigma < MIN_STRAIN_DEVIATION || sigma < MIN_RESOLVED_STRAIN * strain_deviation(plan, breaker_m) {
+            let mean = self.expected_mean_foam.min(MAX_COVERAGE);
+            let gain = plan.sea.foam.rate_per_s * plan.sea.foam.decay_s;
+            let even = if gain > 0.0 { (mean / (1.0 - mean) / gain).min(1.0) } else { 0.0 };
+            return FoamSource { even, ..FoamSource::NONE };
         }
         let threshold = mean_jacobian_at_compression_sigmas(self.threshold_sigmas, sigma);
         let slope = 1.0
             / (threshold
                 - mean_jacobian_at_compression_sigmas(self.threshold_sigmas + FOAM_SOURCE_RAMP_STRAIN_SIGMAS, sigma))
             .max(0.05 * sigma);
-        FoamSource { jacobian_threshold: threshold, source_slope: slope }
+        FoamSource { jacobian_threshold: threshold, source_slope: slope, even: 0.0 }
     }
 }
 

@@ -64,7 +64,7 @@ fn step_oracle_foam(
     for (i, cell) in foam.iter_mut().enumerate() {
         let world = [0, 1].map(|a| corner[a] + ([i % size, i / size][a] as f64 + 0.5) * texel_m);
         let j = oracle::foam::displacement_jacobian(pyramid.wave_fields_at(world).strain, plan.sea.choppiness_xz());
-        let s = ((source.jacobian_threshold - j) * source.source_slope).clamp(0.0, 1.0);
+        let s = source.at(j);
         let ratios = [[1.0; 2], [FRONT_GROWTH_RATIO, FRONT_DECAY_RATIO], [1.0, PLUME_DECAY_RATIO]];
         for (quantity, [growth, decay]) in cell.iter_mut().zip(ratios) {
             let (rate_per_s, decay_s) = (growth * plan.sea.foam.rate_per_s, decay * plan.sea.foam.decay_s);
