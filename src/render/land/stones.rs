@@ -88,7 +88,7 @@ impl Stones {
                 let [from, to] = FALLEN_SLOPES;
                 let low = 1.0 - (height_m - 1.0).max(0.0) / (FALLEN_GROUND_M.end - 1.0);
                 let [u, v] = at.map(|at| (at / 1400.0) as f32);
-                let share = ((steep - from) / (to - from)).min(1.0) * low * (0.5 + clumps.perlin_noise(u, v));
+                let share = ((steep - from) / (to - from)).min(1.0) * low * (0.8 + clumps.perlin_noise(u, v));
                 if random.part(3) < share {
                     let at = random.beside(at, FALLEN_CELL_M);
                     add(at, random.stone(relief, at, 2.0, FALLEN_M));
