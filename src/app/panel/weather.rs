@@ -9,6 +9,8 @@ use crate::state::Params;
 use crate::state::fields::{self, Group};
 use crate::state::look::SunPlacement;
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
+use crate::waves::dispersion::Dispersion;
+use std::f64::consts::TAU;
 
 /// Lines that the longest description of a Beaufort force takes in the panel.
 const APPEARANCE_LINES: f32 = 3.0;
@@ -55,7 +57,7 @@ const WIND_ROWS: [Row; 2] = [
 ];
 const SWELL_ROWS: [Row; 3] = [
     Row { key: "hs2", label: text!("Swell height"), meaning: |_| tr("waves of a wind far away").into() },
-    Row { key: "tp2", label: text!("Swell period"), meaning: |p| swell_length(p.sea.systems[1].tp_s) },
+    Row { key: "tp2", label: text!("Swell period"), meaning: swell_length },
     Row { key: "dir2", label: text!("Swell from"), meaning: |p| tr(compass_point(p.sea.systems[1].from_deg)).into() },
 ];
 /// The sun by direction.
@@ -79,10 +81,12 @@ const SKY_ROWS: [Row; 2] = [
 ];
 const WATER_ROWS: [Row; 1] = [Row { key: "depth", label: text!("Water depth"), meaning: nothing }];
 
-/// Length of a swell in deep water, in words; empty if its period is computed from the wind.
-fn swell_length(period_s: f64) -> String {
+/// Length of the swell in water of the sea's depth, in words; empty if its period is computed from the wind.
+fn swell_length(p: &Params) -> String {
+    let period_s = p.sea.systems[1].tp_s;
     if period_s > 0.0 {
-        say!("about {length} m long", length = format!("{:.0}", 1.56 * period_s * period_s))
+        let k = Dispersion::new(&p.sea).wave_number(TAU / period_s);
+        say!("about {length} m long", length = format!("{:.0}", TAU / k))
     } else {
         String::new()
     }
