@@ -45,7 +45,10 @@ fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, 
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
   var out: LandGround;
   out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.07 * rippled * fine.y);
-  out.albedo = mix(out.albedo, LAND_WRACK, land_wrack(height - run_up, middle, fine, size));
+  let above = height - run_up;
+  if above > -0.3 && above < 0.9 {
+    out.albedo = mix(out.albedo, LAND_WRACK, land_wrack(above, middle, fine, size));
+  }
   out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.6 * wet + 0.4 * fresh);
   out.relief = vec2f(0.30 * rippled * fine.x, 0.0);
   // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
