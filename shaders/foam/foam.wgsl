@@ -25,7 +25,7 @@ override FOAM_COAST: bool = false;
 
 // Foam that a breaker at a coast leaves behind its front, relative to that of one in the open sea with the same source: the
 // next one comes a period later, and between them foam is torn to lace over bubbles.
-const FOAM_BEHIND_ROLLER = 0.45;
+const FOAM_BEHIND_ROLLER = 0.65;
 
 // Largest stored excess over the breaking criterion.
 const FOAM_MOST_EXCESS = 6.0;

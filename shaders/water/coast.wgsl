@@ -21,6 +21,20 @@ fn coast_at(at: vec2f) -> vec4f {
   return textureSampleLevel(coast_gains_map, nearest_mip_sampler, uv, 0.0);
 }
 
+// Sides of the patches of cascades, m, from which the slopes of their waves are those of the coast (x), and up to which
+// they are those of the open sea (y): within some ten metres of lee the wind has made waves shorter than a metre anew.
+const COAST_LOCAL_PATCH_M = vec2f(32.0, 12.0);
+// Reciprocal of the factor of the coast from which it has made all of them. Behind the waterline the factor is 0, and there is no water.
+const COAST_LOCAL_RISE = 30.0;
+
+// Factor on the slopes of the waves of a layer.
+fn coast_slope_gain(map: FrameCascade, gains: vec3f) -> f32 {
+  let range = 1.0 / COAST_LOCAL_PATCH_M;
+  let local = saturate((map.inverse_patch - range.x) / (range.y - range.x));
+  let gain = coast_gain(map, gains);
+  return mix(gain, saturate(COAST_LOCAL_RISE * gain), local * map.coast_gains.x);
+}
+
 // Factor on the waves of a layer.
 fn coast_gain(map: FrameCascade, gains: vec3f) -> f32 {
   return dot(map.coast_gains, gains);

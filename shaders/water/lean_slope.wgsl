@@ -56,7 +56,7 @@ fn lean_add_waves(
     variance_factor *= gust;
   }
   if WATER_COAST {
-    let gain = coast_gain(map, gains);
+    let gain = coast_slope_gain(map, gains);
     own *= gain;
     variance_factor *= gain * gain;
   }
@@ -87,17 +87,13 @@ fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDeriva
   for (var c = 0u; c < frame.cascade_count + frame.ripple_count; c++) {
     let map = frame.cascades[c];
     let own_gust = water_gust_share(map, gust);
-    var own_gains = gains;
-    if WATER_COAST && c >= frame.cascade_count {
-      own_gains = WATER_LOCAL_GAINS;
-    }
     if foot.side_m * map.inverse_patch >= LEAN_FADE_END {
-      waves.variance += water_distant_covariance(map, at, own_gust, own_gains);
+      waves.variance += water_distant_covariance(map, at, own_gust, gains);
       continue;
     }
     let share = select(0.0, water_carried_fraction(map, inverse_step), c < frame.cascade_count);
     if share < 1.0 {
-      lean_add_waves(&waves, at, foot, map, share, own_gust, own_gains);
+      lean_add_waves(&waves, at, foot, map, share, own_gust, gains);
     }
   }
   // As water_displaced_slope, with a cheaper limit and one mean for the whole pixel.

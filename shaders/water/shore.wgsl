@@ -13,13 +13,15 @@ const SHORE_SHEET_DEPTH = 0.30;
 // Height of the run-up, m, below which the edge of the water bears no foam (x), and from which it bears all (y).
 const SHORE_LACE_RUN_UP_M = vec2f(0.1, 0.6);
 // The same for the collar of foam around rock and walls, where waves of some decimetres only splash.
-const SHORE_COLLAR_RUN_UP_M = vec2f(0.25, 1.3);
+const SHORE_COLLAR_RUN_UP_M = vec2f(0.2, 0.9);
 // Part of the collar that foam covers at the waterline, and depth of the still water in which it ends, relative to the
 // height of the run-up, where the level is the mean one: twice as wide on crests, nothing in the deepest troughs.
 const SHORE_COLLAR_COVER = 0.9;
-const SHORE_COLLAR_DEPTH = 1.5;
+const SHORE_COLLAR_DEPTH = 2.5;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
+// Distance from stone, m, of the waves that wash it: nearer, the map of the coast knows them only by halves.
+const SHORE_BEFORE_STONE_M = 12.0;
 // Width of the ground, m, by whose mean slope the foot of a cliff is told from a beach, and the factor on that slope:
 // half of this ground is level bed.
 const SHORE_CLIFF_M = 24.0;
@@ -60,6 +62,10 @@ fn shore_hardness(ground: vec4f, place: vec2f, size: f32) -> f32 {
   if built == 1.0 {
     return select(1.0, SHORE_WALL_SHARE, ground.w > 0.0);
   }
+  // Water before the foot of a cliff is shallow.
+  if -ground.x > land.run_up_m {
+    return built;
+  }
   let around = land_at(place, land_lod(max(SHORE_CLIFF_M, size)));
   return max(built, land_rock_share(SHORE_CLIFF_SLOPES * length(around.yz)));
 }
@@ -69,6 +75,17 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32) -> FoamAmount {
   let all = foam.cover + (1.0 - foam.cover) * cover;
   let old = foam.cover / max(all, 1e-4);
   return FoamAmount(all, old * foam.fresh, max(foam.plume, SHORE_PLUME * cover), mix(young, foam.young, old));
+}
+
+// The foam of a pixel, with the collar around stone of the hardness `hard`. The others are as in shore_add_lace.
+fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, height: f32) -> FoamAmount {
+  let down = ground.yz * inverseSqrt(max(dot(ground.yz, ground.yz), 1e-4));
+  let run_up = max(shore_run_up_m(at - SHORE_BEFORE_STONE_M * land_to_world(down)), 1e-3);
+  // The collar grows with a crest that runs up the stone, and what it leaves is drawn out by the trough.
+  let reach = SHORE_COLLAR_DEPTH * run_up * (1.0 + clamp(height / run_up, -0.8, 1.0));
+  let near = saturate(1.0 + ground.x / reach);
+  let lively = min(frame.foam_amount, 1.0) * shore_rise(run_up, SHORE_COLLAR_RUN_UP_M);
+  return shore_more_foam(foam, SHORE_COLLAR_COVER * lively * hard * maths_smooth(near), near);
 }
 
 // The foam of a pixel, with that of the swash, which carries it at its edge, and with the collar of foam around rock and
@@ -81,19 +98,18 @@ fn shore_add_lace(foam: FoamAmount, at: vec2f, height: f32, size: f32) -> FoamAm
   if -ground.x > 2.0 * SHORE_COLLAR_DEPTH * land.run_up_m {
     return foam;
   }
-  let run_up = max(shore_run_up_m(at), 1e-3);
-  let depth = max(height - ground.x, 0.0) / run_up;
-  let lively = shore_rise(run_up, SHORE_LACE_RUN_UP_M);
-  let amount = min(frame.foam_amount, 1.0);
-  let line = maths_smooth(2.0 - 2.0 * depth * run_up / SHORE_LACE_M);
-  let sheet = SHORE_SHEET_COVER * maths_smooth(1.0 - depth / SHORE_SHEET_DEPTH);
-  var out = shore_more_foam(foam, amount * lively * max(SHORE_LACE_COVER * line, sheet), line);
-  // The collar grows with a crest that runs up the rock, and what it leaves is drawn out by the trough.
-  let reach = SHORE_COLLAR_DEPTH * (1.0 + clamp(height / run_up, -1.0, 1.0));
-  let near = 1.0 + ground.x / (run_up * max(reach, 1e-3));
-  if near > 0.0 && run_up > SHORE_COLLAR_RUN_UP_M.x {
-    let hard = shore_hardness(ground, place, size) * shore_rise(run_up, SHORE_COLLAR_RUN_UP_M);
-    out = shore_more_foam(out, SHORE_COLLAR_COVER * amount * hard * maths_smooth(near), near);
+  var out = foam;
+  let column = max(height - ground.x, 0.0);
+  if column < SHORE_SHEET_DEPTH * land.run_up_m {
+    let run_up = max(shore_run_up_m(at), 1e-3);
+    let lively = min(frame.foam_amount, 1.0) * shore_rise(run_up, SHORE_LACE_RUN_UP_M);
+    let line = maths_smooth(2.0 - 2.0 * column / SHORE_LACE_M);
+    let sheet = SHORE_SHEET_COVER * maths_smooth(1.0 - column / (SHORE_SHEET_DEPTH * run_up));
+    out = shore_more_foam(out, lively * max(SHORE_LACE_COVER * line, sheet), line);
+  }
+  let hard = shore_hardness(ground, place, size);
+  if hard > 0.0 {
+    out = shore_add_collar(out, ground, hard, at, height);
   }
   return out;
 }

@@ -68,9 +68,6 @@ const WATER_LEAST_COPY_WEIGHT = 0.008;
 // Weight of a copy of a patch from which it is interpolated by a spline.
 const WATER_SPLINE_COPY_WEIGHT = 0.5;
 
-// Factors of a coast on waves of decimetres and less: none, because the wind makes them anew within some metres of lee.
-const WATER_LOCAL_GAINS = vec3f(1.0);
-
 // Adds the waves of a cascade or of ripples, without the fraction `carried` that the mesh vertices already hold. `gust`
 // is a factor on their slope variance, and `gains` those of a coast.
 fn water_add_waves(
@@ -87,7 +84,7 @@ fn water_add_waves(
     variance_gain *= gust;
   }
   if WATER_COAST {
-    let gain = coast_gain(map, gains);
+    let gain = coast_slope_gain(map, gains);
     own *= gain;
     variance_gain *= gain * gain;
   }
@@ -146,7 +143,7 @@ fn water_distant_covariance(map: FrameCascade, at: vec2f, gust: f32, gains: vec3
     whole *= gust;
   }
   if WATER_COAST {
-    let gain = coast_gain(map, gains);
+    let gain = coast_slope_gain(map, gains);
     whole *= gain * gain;
   }
   return whole;
@@ -184,16 +181,12 @@ fn water_slope_with_carried(
     if is_ripple {
       within = ripple_foot;
     }
-    var own_gains = gains;
-    if WATER_COAST && is_ripple {
-      own_gains = WATER_LOCAL_GAINS;
-    }
     let share = select(0.0, water_carried_fraction(map, inverse_step), carries && !is_ripple);
     let own_gust = water_gust_share(map, gust);
     if water_is_distant(map, within) {
-      waves.variance += water_distant_covariance(map, at, own_gust, own_gains);
+      waves.variance += water_distant_covariance(map, at, own_gust, gains);
     } else if share < 1.0 {
-      water_add_waves(&waves, at, within, c, share, own_gust, own_gains);
+      water_add_waves(&waves, at, within, c, share, own_gust, gains);
     }
   }
   waves.sums.slope += water_bound_slope(waves.sums, moved, gains);

@@ -76,7 +76,7 @@ fn water_displacement(at: vec2f, spacing: f32, carries: bool) -> WaterDisplaceme
     let smoothness = saturate(-2.0 * lod);
     var carried = select(0.0, water_carried_fraction(map, inverse_step), carries);
     if WATER_COAST {
-      carried *= coast_gain(map, gains);
+      carried *= coast_slope_gain(map, gains);
     }
     var next = tile_blend(map.tile_position, at, carried > 0.0);
     for (var i = 0u; i < TILE_COPIES; i++) {
