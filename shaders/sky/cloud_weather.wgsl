@@ -5,6 +5,9 @@
 @group(0) @binding(0) var<uniform> cloud_field: CloudField;
 @group(0) @binding(1) var weather_out: texture_storage_2d<rgba16float, write>;
 
+// Number of streets of heaps in a tile.
+const WEATHER_STREETS = 9.0;
+
 fn weather_random(cell: vec2i, period: i32, key: u32) -> vec4f {
   let wrapped = ((cell % period) + period) % period;
   return noise_pcg4d_unit(vec4u(vec2u(wrapped), key, u32(period)));
@@ -30,6 +33,14 @@ fn weather_fractal(at: vec2f, period: i32, key: u32) -> f32 {
     + 0.25 * weather_smooth(at, 4 * period, key + 2u);
 }
 
+// Factor on the area of the heaps of cloud around a place, of mean 1: they gather in groups some kilometres wide, and
+// in streets along the wind, which rise where rolls of air meet, 3.5 km apart in a field of cumulus; between lie lanes
+// of clear sky.
+fn weather_group(at: vec2f) -> f32 {
+  let street = cos(2.0 * ATM_PI * (WEATHER_STREETS * at.y + 0.9 * weather_smooth(at, 3, 71u)));
+  return exp(4.2 * weather_smooth(at, 4, 75u) + street - 0.81);
+}
+
 // Heaps of cloud: the highest of paraboloids at random points, one in each of `cells` x `cells` cells of the tile.
 // `area` is the sum of their areas divided by that of the tile, `steepness` the height of a heap divided by its radius,
 // both as fractions of tile and layer.
@@ -41,11 +52,9 @@ fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> 
     let off = vec2i(i % 5, i / 5) - 2;
     let random = weather_random(cell + off, cells, key);
     let middle = vec2f(cell + off) + random.xy;
-    // Heaps gather in groups, with gaps between them. Their areas have Weibull's distribution of mean 1, in which few
-    // are very small.
-    let group = exp(3.2 * weather_smooth(middle / f32(cells), 5, key + 3u) - 0.32);
-    let mean_square = area * group * (1.12 * pow(-log(max(random.z, 0.005)), 0.6)) / ATM_PI;
-    let radius = min(sqrt(mean_square), 1.5);
+    // Areas follow a power law of mean 1: many small heaps, few large ones.
+    let share = inverseSqrt(max(random.z, 0.03)) / 1.83;
+    let radius = min(sqrt(area * weather_group(middle / f32(cells)) * share / ATM_PI), 0.95);
     let size = min(steepness * radius * (0.7 + 0.6 * random.w), 1.0);
     let d = middle - p;
     let square = radius * radius + 1e-4;
@@ -85,7 +94,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let bend = vec2f(weather_fractal(bare, 14, 31u), weather_fractal(bare, 14, 47u));
   let at = bare + 0.012 * bend;
   let cover = cloud_field.cover;
-  let area = -log(max(1.0 - cover, 0.02));
+  // Heaps that gather overlap more than those at random, which would cover the share 1 - exp(-area).
+  let area = 1.62 * (pow(max(1.0 - cover, 0.02), -0.6) - 1.0);
   var high = vec2f(-1.0, 0.0);
   if cloud_field.kind == CLOUD_CUMULUS || cloud_field.kind == CLOUD_TOWERING {
     let wide = weather_heaps(at, 20, 0.6 * area, cloud_field.steepness / 20.0, 1u);
