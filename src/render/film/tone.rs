@@ -42,17 +42,23 @@ pub const NOON_EXPOSURE: f32 = 0.786;
 /// that the present pass can copy, and a picture costs no more memory traffic than it must.
 pub const FINISHED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Factor on the exposure of a camera that faces the sun, whose bright surroundings fill the picture: down to 0.38.
+/// Factor on the exposure of a camera that faces the sun or its glitter on the sea, which fill the picture with light:
+/// down to 0.36.
 fn facing_sun_factor(scene: &Scene) -> f64 {
     let sky = &scene.look.sky;
     let sun = glam::DVec3::from(sky.sun_direction());
-    let angle_deg = sun.dot(scene.view.forward).clamp(-1.0, 1.0).acos().to_degrees();
+    // Glitter lies around the mirror image of the sun.
+    let glitter = glam::DVec3::new(sun.x, -sun.y.abs(), sun.z);
+    let [by_sun, by_glitter] = [sun, glitter].map(|towards| {
+        let angle_deg = towards.dot(scene.view.forward).clamp(-1.0, 1.0).acos().to_degrees();
+        (-(angle_deg / 30.0).powi(2)).exp()
+    });
     // The sun's surroundings are bright until it is some degrees below the horizon.
     let up = ((sun.y.asin().to_degrees() + 3.0) / 6.0).clamp(0.0, 1.0);
     // A sky image contains its own clouds.
     let overcast = if sky.panorama().is_some() { 0.0 } else { sky.overcast };
-    let brightness = up * (1.0 - overcast).powi(2) * (-(angle_deg / 30.0).powi(2)).exp();
-    1.0 / (1.0 + 1.6 * brightness)
+    let brightness = up * (1.0 - overcast).powi(2) * (1.0 - (1.0 - by_sun) * (1.0 - by_glitter));
+    1.0 / (1.0 + 1.8 * brightness)
 }
 
 /// Factor on the automatic exposure by where the camera is and looks.
