@@ -53,8 +53,8 @@ const STRAIN_DETERMINANT_COEFFICIENT: f64 = 0.2;
 /// Texel size, m, of the foam grid for which the threshold of `whitecaps=fixed` holds; it is converted for other grids.
 const REFERENCE_TEXEL_M: f64 = 0.25;
 /// Least standard deviation of the strain on a foam grid, relative to that on the texels of breakers, with which the
-/// grid shows where waves break. On coarser grids hardly a wave is left: rounding and the seams between copies of a patch
-/// would make most of the remaining strain, and foam everywhere.
+/// grid shows where waves break. On coarser grids hardly a wave is left: rounding and the seams between copies of a
+/// patch would make most of the remaining strain, and foam everywhere.
 const MIN_RESOLVED_STRAIN: f64 = 0.25;
 /// Standard deviation (dimensionless) of the horizontal strain below which the water counts as flat and gets no foam.
 const MIN_STRAIN_DEVIATION: f64 = 1e-6;
