@@ -33,8 +33,8 @@ fn weather_fractal(at: vec2f, period: i32, key: u32) -> f32 {
     + 0.25 * weather_smooth(at, 4 * period, key + 2u);
 }
 
-// Factor on the area of the heaps of cloud around a place, of mean 1: they gather in groups some kilometres wide, and in
-// streets along the wind, which rise where rolls of air meet, 3.5 km apart above a layer of cumulus; between lie lanes
+// Factor on the area of the heaps of cloud around a place, of mean 1: they gather in groups some kilometres wide, and
+// in streets along the wind, which rise where rolls of air meet, 3.5 km apart in a field of cumulus; between lie lanes
 // of clear sky.
 fn weather_group(at: vec2f) -> f32 {
   let street = cos(2.0 * ATM_PI * (WEATHER_STREETS * at.y + 0.9 * weather_smooth(at, 3, 71u)));

@@ -52,9 +52,9 @@ const MAX_COVERAGE: f64 = 0.9;
 const STRAIN_DETERMINANT_COEFFICIENT: f64 = 0.2;
 /// Texel size, m, of the foam grid for which the threshold of `whitecaps=fixed` holds; it is converted for other grids.
 const REFERENCE_TEXEL_M: f64 = 0.25;
-/// Least standard deviation of the strain on a foam grid, relative to that on the texels of breakers, with which the grid
-/// shows where waves break. On coarser grids hardly a wave is left: rounding and the seams between copies of a patch
-/// would make most of the remaining strain, and foam everywhere.
+/// Least standard deviation of the strain on a foam grid, relative to that on the texels of breakers, with which the
+/// grid shows where waves break. On coarser grids hardly a wave is left: rounding and the seams between copies of a
+/// patch would make most of the remaining strain, and foam everywhere.
 const MIN_RESOLVED_STRAIN: f64 = 0.25;
 /// Standard deviation (dimensionless) of the horizontal strain below which the water counts as flat and gets no foam.
 const MIN_STRAIN_DEVIATION: f64 = 1e-6;
@@ -67,7 +67,7 @@ pub struct FoamSource {
     pub jacobian_threshold: f64,
     /// Increase of the foam source for each decrease of the Jacobian by 1 below the threshold.
     pub source_slope: f64,
-    /// Foam source everywhere, of a grid too coarse for the waves that break: it keeps the mean foam of the sea. Else 0.
+    /// Foam source everywhere, of a grid too coarse for the waves that break: it keeps the sea's mean foam. Else 0.
     pub even: f64,
 }
 

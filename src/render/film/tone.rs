@@ -42,8 +42,8 @@ pub const NOON_EXPOSURE: f32 = 0.786;
 /// that the present pass can copy, and a picture costs no more memory traffic than it must.
 pub const FINISHED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Factor on the exposure of a camera that faces the sun or its glitter on the sea, which fill the picture with light: down
-/// to 0.36.
+/// Factor on the exposure of a camera that faces the sun or its glitter on the sea, which fill the picture with light:
+/// down to 0.36.
 fn facing_sun_factor(scene: &Scene) -> f64 {
     let sky = &scene.look.sky;
     let sun = glam::DVec3::from(sky.sun_direction());
