@@ -11,7 +11,7 @@ use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::render;
 use seastate::shaders::Shaders;
-use seastate::sim::coast::square::{CoastSquare, frame_from_world, world_from_frame};
+use seastate::sim::coast::square::CoastSquare;
 use seastate::sim::coast::tables;
 use seastate::sim::resources::MapKind;
 use seastate::sim::{CascadeRole, MAX_FOAM_STEPS, Simulation};
@@ -125,7 +125,7 @@ fn over_a_flat_bed_the_waves_are_those_of_the_open_sea() {
         let (mut errors, mut squares, mut count) = ([0.0; 8], [0.0; 8], 0);
         for i in 0..n * n {
             let world = square.texel_position_m([i % n, i / n], n);
-            let [x, y] = frame_from_world(&transfer.placement, world);
+            let [x, y] = transfer.placement.in_frame_m(world);
             // Where the waves at the coast have the whole weight.
             if !(0.25 * wide_m..wide_m - 3.0 * coast.cell_m).contains(&x) || (y / wide_m - 0.5).abs() > 0.25 {
                 continue;
@@ -224,7 +224,7 @@ fn waves_that_break_bear_foam() {
         let coast = flat(&plan, height_m);
         let transfer = Arc::new(coast.transfer(&plan));
         let half = 0.5 * coast.cell_m * (coast.size[0] - 1) as f64;
-        let middle = world_from_frame(&coast.placement, [half, half]);
+        let middle = coast.placement.world_m([half, half]);
         let mut sim = simulation(&gpu, STATE, Some(&transfer));
         encode(&gpu, &mut sim, middle, FOAM_STEPS);
         // The two finest levels lie within the coast.
@@ -341,7 +341,7 @@ fn the_drawn_surface_is_that_of_the_open_sea_over_a_flat_bed_and_around_it() {
     for (frame, most) in
         [([1.0, 1.0], [0.01, 0.05, 0.08]), ([0.2, 1.0], [0.01, 0.05, 0.08]), ([-1.0, 1.0], [1e-3, 1e-3, 1e-3])]
     {
-        let eye = world_from_frame(&coast.placement, frame.map(|x| x * half_m));
+        let eye = coast.placement.world_m(frame.map(|x| x * half_m));
         let [open, coastal] = [None, Some(&transfer)].map(|transfer| surface(&gpu, transfer, &state, eye, &points));
         let found = differences(&open, &coastal);
         eprintln!("{frame:?}: {found:.4?}");
@@ -349,7 +349,7 @@ fn the_drawn_surface_is_that_of_the_open_sea_over_a_flat_bed_and_around_it() {
     }
     // Waves that grow are seen: they are half as high again in the middle.
     let grown = Arc::new(SyntheticCoast { growth: 1.0, ..coast }.transfer(&plan));
-    let eye = world_from_frame(&coast.placement, [half_m, half_m]);
+    let eye = coast.placement.world_m([half_m, half_m]);
     let [open, coastal] = [None, Some(&grown)].map(|transfer| surface(&gpu, transfer, &state, eye, &points));
     let found = differences(&open, &coastal);
     assert!(found[0] > 0.1, "{found:?}");
@@ -374,7 +374,7 @@ fn behind_the_waterline_there_are_no_waves() {
         }
     }
     let half_m = 0.5 * coast.cell_m * (points - 1) as f64;
-    let eye = world_from_frame(&coast.placement, [1.7 * half_m, half_m]);
+    let eye = coast.placement.world_m([1.7 * half_m, half_m]);
     let at: Vec<[f32; 2]> = (0..100).map(|i| [(i % 10) as f32 - 5.0, (i / 10) as f32 - 5.0]).collect();
     let found = surface(&gpu, Some(&Arc::new(transfer)), STATE, eye, &at);
     let most = found.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
@@ -394,7 +394,7 @@ fn pictures_of_a_slope() {
     transfer.points.iter_mut().for_each(|point| point.breaking_height_m = breaking_m);
     let transfer = Arc::new(transfer);
     let half_m = 0.5 * coast.cell_m * (coast.size[0] - 1) as f64;
-    let eye = world_from_frame(&coast.placement, [1.2 * half_m, half_m]);
+    let eye = coast.placement.world_m([1.2 * half_m, half_m]);
     (params.camera.x_m, params.camera.z_m, params.camera.y_m) = (eye[0], eye[1], 25.0);
     // North is 0 degrees, and the land lies along the frame's x axis.
     params.camera.heading_deg = coast.placement.turn_rad.to_degrees() + 90.0 + 150.0;

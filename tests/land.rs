@@ -107,11 +107,8 @@ fn wet_sand_follows_the_drawn_run_up() {
         let land = bytes(bytemuck::bytes_of(&LandUniform::new(&coast, &scene)));
         let frame = seastate::render::frame_uniform(&scene, ocean.maps(), [64, 64]);
         let frame = bytes(bytemuck::bytes_of(&frame));
-        kernel.bind(
-            0,
-            &[(0, frame.as_entire_binding()), (5, BindingResource::Sampler(&sampler)), (15, land.as_entire_binding())],
-        );
-        kernel.bind(1, &[(6, BindingResource::TextureView(&gains))]);
+        kernel.bind(0, &[(0, frame.as_entire_binding()), (15, land.as_entire_binding())]);
+        kernel.bind(1, &[(5, BindingResource::Sampler(&sampler)), (6, BindingResource::TextureView(&gains))]);
         kernel.ask(&[[[3.0, 4.0, 0.0, 0.0]]])[0][0][0]
     };
     // Stockdon et al. 2006: 2 m and 10 s on a slope of 0.08 give 1.39 m.

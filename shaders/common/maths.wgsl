@@ -63,6 +63,11 @@ fn maths_smooth(x: f32) -> f32 {
   return t * t * (3.0 - 2.0 * t);
 }
 
+// 0 for x <= range.x, 1 for x >= range.y, with a smooth step between.
+fn maths_rise(x: f32, range: vec2f) -> f32 {
+  return maths_smooth((x - range.x) / (range.y - range.x));
+}
+
 fn maths_complex_mul(a: vec2f, b: vec2f) -> vec2f {
   return vec2f(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }

@@ -38,9 +38,14 @@ fn land_wetness(height: f32, bend: f32, run_up: f32) -> f32 {
   return 1.0 - maths_smooth(over / (0.06 + 0.3 * run_up) + 0.5);
 }
 
+// Share of heath and turf, which grow behind the dunes. `wide` is normal noise over hundreds of metres.
+fn land_back_share(place: vec2f, height: f32, wide: f32) -> f32 {
+  return maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5) + 0.55 * wide);
+}
+
 // Share of rock in ground of a slope.
 fn land_rock_share(steep: f32) -> f32 {
-  return maths_smooth((steep - LAND_ROCK_SLOPES.x) / (LAND_ROCK_SLOPES.y - LAND_ROCK_SLOPES.x));
+  return maths_rise(steep, LAND_ROCK_SLOPES);
 }
 
 // Share of blocks or concrete in the ground. `map` is that of land_at.
@@ -53,7 +58,7 @@ fn land_built_share(map: vec4f) -> f32 {
 fn land_mean_albedo(place: vec2f, map: vec4f) -> vec3f {
   let height = map.x;
   var albedo = material.bed_colour * LAND_DRY * mix(vec3f(1.0), LAND_DAMP, land_wetness(height, 0.0, land.run_up_m));
-  let back = maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5));
+  let back = land_back_share(place, height, 0.0);
   let green = mix(mix(LAND_MARRAM, LAND_STRAW, 0.37), 0.5 * (LAND_HEATH + LAND_TURF), back);
   albedo = mix(albedo, green, max(saturate(0.54 * (height - LAND_GRASS_M)), back));
   albedo = mix(albedo, mix(LAND_DARK_ROCK, LAND_ROCK, 0.5), land_rock_share(length(map.yz)));

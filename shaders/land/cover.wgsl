@@ -1,5 +1,5 @@
-// What lies and grows on the land near the eye, drawn into the G-buffer after the mesh of the land: stones, and blades of
-// dune grass (src/render/land/cover.rs). Positions and directions are in the frame of the coast: x, up, y.
+// Draws stones and blades of dune grass into the G-buffer, after the mesh of the land (src/render/land/cover.rs).
+// Positions and directions are in the frame of the coast: x, up, y.
 
 @group(1) @binding(1) var<storage, read> land_stones: array<LandStone>;
 @group(1) @binding(2) var<storage, read> land_corners: array<vec4f>;
@@ -23,18 +23,6 @@ fn cover_g_buffer(look: f32, n: vec3f, along: f32, shade: f32) -> LandGBuffer {
   return LandGBuffer(vec2f(2.0 * LAND_NO_WATER_M, look), vec4f(slope, along, shade), vec2f(0.0));
 }
 
-// Position in clip space of a point relative to the eye.
-fn cover_clip(at: vec3f) -> vec4f {
-  let off = land_to_world(at.xz);
-  return frame.clip_from_relative * vec4f(off.x, at.y, off.y, 1.0);
-}
-
-// A point of the land relative to the eye.
-fn cover_from_eye(place: vec2f, height: f32) -> vec3f {
-  let off = place - land.eye_place;
-  return vec3f(off.x, height - dot(off, off) / (2.0 * FRAME_EARTH_RADIUS_M) - frame.eye_height_m, off.y);
-}
-
 struct StoneFragment {
   @builtin(position) clip: vec4f,
   @location(0) at: vec3f,
@@ -52,10 +40,10 @@ fn stone_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
   let corner = land_corners[i].xyz * sides + 0.09 * (noise_pcg4d_unit(vec4u(stone.seed, i, 3u, 5u)).xyz - 0.5);
   let turn = normalize(unpack4x8snorm(stone.turn));
   let turned = corner + 2.0 * cross(turn.xyz, cross(turn.xyz, corner) + turn.w * corner);
-  let at = cover_from_eye(stone.place, stone.height_m) + stone.size_m * turned;
-  // Light is shut out of the gaps: less of it arrives at the ground that the stones lie on.
+  let at = land_from_eye(stone.place, stone.height_m) + stone.size_m * turned;
+  // Less light reaches the gaps between stones: the share falls towards the ground.
   let above = 0.1 + turned.y - dot(unpack2x16float(stone.slope), turned.xz);
-  return StoneFragment(cover_clip(at), at, turned, clamp(0.28 + 1.7 * above, 0.12, 1.0), stone.look);
+  return StoneFragment(land_clip(at), at, turned, clamp(0.28 + 1.7 * above, 0.12, 1.0), stone.look);
 }
 
 @fragment
@@ -67,12 +55,12 @@ fn stone_fragment(in: StoneFragment) -> LandGBuffer {
   return cover_g_buffer(in.look, n, 0.0, in.shade);
 }
 
-// Sides of the squares with a tuft each, near the eye and everywhere, m.
+// Sides of the squares of the ground with one tuft each, m: dense near the eye, and sparse around.
 const COVER_TUFT_M = vec2f(0.45, 0.85);
-// Numbers of the corners of their blades.
+// Numbers of corners of a blade of a dense and of a sparse tuft.
 const COVER_BLADE_CORNERS = vec2u(5u, 3u);
-// Height of the longest blades, m, how far from the middle of a tuft they stand near the eye and
-// everywhere, m, and their width, m.
+// Height of the longest blades, m, how far from the middle of a dense and of a sparse tuft they stand, m, and their
+// width, m.
 const COVER_BLADE_M = 0.95;
 const COVER_ROOTS_M = vec2f(0.17, 0.34);
 const COVER_BLADE_WIDTH_M = 0.007;
@@ -102,7 +90,7 @@ fn cover_grass(place: vec2f) -> vec2f {
   let middle = land_noise(place.yx, LAND_MIDDLE_M, 0.2);
   let fine = land_noise(land_turned(place), LAND_FINE_M, 0.2);
   let bare = max(land_rock_share(length(map.yz)), land_built_share(map));
-  let back = land_back_share(place, map.x, wide);
+  let back = land_back_share(place, map.x, wide.z);
   let share = mix(land_marram_share(map.x, middle, fine, wide), COVER_BACK_SHARE, back);
   return vec2f(map.x, share * (1.0 - bare));
 }
@@ -120,7 +108,7 @@ fn grass_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
   let place = (vec2f(cell) + random.xy) * select(COVER_TUFT_M.y, COVER_TUFT_M.x, is_near);
   let off = place - land.eye_place;
   let far = length(vec3f(off.x, 0.7 * frame.eye_height_m, off.y)) / select(cover.reach_m.y, cover.reach_m.x, is_near);
-  // Far from the eye fewer and fewer tufts are left, which are less and less high.
+  // With the distance from the eye, tufts become fewer and lower.
   let left = saturate(3.0 * (1.0 - far) - 1.6 * random.z);
   if left <= 0.0 {
     return out;
@@ -147,7 +135,7 @@ fn grass_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
   let bent = lean * (length_m * along * along);
   let upward = length_m * along * (1.0 - 0.22 * along * dot(lean, lean));
   let root = outward * (select(COVER_ROOTS_M.y, COVER_ROOTS_M.x, is_near) * sqrt(blade.w));
-  let from_eye = cover_from_eye(place, ground.x - 0.06);
+  let from_eye = land_from_eye(place, ground.x - 0.06);
   let middle = from_eye + vec3f(root.x + bent.x, upward, root.y + bent.y);
   // A blade is round: marram rolls its leaves. It turns its width to the eye.
   let tangent = normalize(vec3f(2.0 * along * lean.x, 1.0, 2.0 * along * lean.y));
@@ -156,7 +144,7 @@ fn grass_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
   let width_m = max(COVER_BLADE_WIDTH_M, COVER_BLADE_PIXELS * frame.pixel_angle * length(middle));
   let side = select(1.0, -1.0, (corner & 1u) == 0u) * select(1.0, 0.0, is_tip);
   let at = middle + across * (0.5 * side * width_m * (1.0 - 0.35 * along));
-  out.clip = cover_clip(at);
+  out.clip = land_clip(at);
   // The normal is raised, because a blade sees the light that others scatter.
   out.normal = facing * -sign(dot(facing, middle)) + 0.8 * side * across + vec3f(0.0, 0.6, 0.0);
   out.along = along;

@@ -64,16 +64,11 @@ fn land_marram_share(height: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> f3
   return maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.2 + 3.2 * cover) * saturate(1.5 * cover);
 }
 
-// Share of heath and turf, which grow behind the dunes.
-fn land_back_share(place: vec2f, height: f32, wide: vec4f) -> f32 {
-  return maths_smooth((place.x - land.side_m.x) * 0.004 + 0.25 * (height - 5.5) + 0.55 * wide.z);
-}
-
 // Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow on.
 fn land_plants(
   ground: LandGround, place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
 ) -> LandGround {
-  let back = land_back_share(place, height, wide);
+  let back = land_back_share(place, height, wide.z);
   let tips = saturate(0.5 + 0.32 * fine.z + 0.2 * middle.z);
   var green = mix(LAND_MARRAM, LAND_STRAW, 0.75 * tips);
   if back > 0.0 {

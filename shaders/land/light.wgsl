@@ -2,8 +2,18 @@
 
 @group(0) @binding(9) var<uniform> material: Material;
 @group(1) @binding(0) var<storage, read> land_vertices: array<LandVertex>;
-// The map of shaders/water/coast.wgsl. The height that waves run up the land is in its fourth channel.
-@group(1) @binding(6) var coast_gains_map: texture_2d<f32>;
+
+// Position in clip space of a point relative to the eye.
+fn land_clip(at: vec3f) -> vec4f {
+  let off = land_to_world(at.xz);
+  return frame.clip_from_relative * vec4f(off.x, at.y, off.y, 1.0);
+}
+
+// A point of the land relative to the eye.
+fn land_from_eye(place: vec2f, height: f32) -> vec3f {
+  let off = place - land.eye_place;
+  return vec3f(off.x, height - dot(off, off) / (2.0 * FRAME_EARTH_RADIUS_M) - frame.eye_height_m, off.y);
+}
 
 struct LandMeshFragment {
   @builtin(position) clip: vec4f,
@@ -13,10 +23,7 @@ struct LandMeshFragment {
 @vertex
 fn mesh_vertex(@builtin(vertex_index) i: u32) -> LandMeshFragment {
   let v = land_vertices[i];
-  let off = land_to_world(v.place - land.eye_place);
-  let drop = dot(off, off) / (2.0 * FRAME_EARTH_RADIUS_M);
-  let place = vec3f(off.x, v.height_m - drop - frame.eye_height_m, off.y);
-  return LandMeshFragment(frame.clip_from_relative * vec4f(place, 1.0), unpack2x16float(v.slope));
+  return LandMeshFragment(land_clip(land_from_eye(v.place, v.height_m)), unpack2x16float(v.slope));
 }
 
 @fragment
@@ -71,9 +78,7 @@ fn land_run_up_m(at: vec2f) -> f32 {
   if land.has_waves == 0.0 {
     return land.run_up_m;
   }
-  let half_texel = 0.5 / vec2f(textureDimensions(coast_gains_map));
-  let uv = clamp(frame.coast_uv_below_eye + at * frame.coast_inverse_side, half_texel, 1.0 - half_texel);
-  return textureSampleLevel(coast_gains_map, sky_sampler, uv, 0.0).w;
+  return coast_at(at).w;
 }
 
 @fragment

@@ -1,10 +1,6 @@
 // How a coast weighs the layers of the wave maps: the cascades of the open sea end at the land, and some of their waves
 // are replaced by those that the coast has made of them.
 
-// Factors of the layers over the square of the world that encloses the coast, and the height that the waves run up the
-// land, m (w).
-@group(1) @binding(6) var coast_gains_map: texture_2d<f32>;
-
 // Whether the sea runs up to a coast.
 override WATER_COAST: bool = false;
 
@@ -14,17 +10,11 @@ fn coast_gains(at: vec2f) -> vec3f {
   return coast_at(at).xyz;
 }
 
-// The same factors, and the height, m, that the waves run up the land there (w).
-fn coast_at(at: vec2f) -> vec4f {
-  let half_texel = 0.5 / vec2f(textureDimensions(coast_gains_map));
-  let uv = clamp(frame.coast_uv_below_eye + at * frame.coast_inverse_side, half_texel, 1.0 - half_texel);
-  return textureSampleLevel(coast_gains_map, nearest_mip_sampler, uv, 0.0);
-}
-
 // Sides of the patches of cascades, m, from which the slopes of their waves are those of the coast (x), and up to which
 // they are those of the open sea (y): within some ten metres of lee the wind has made waves shorter than a metre anew.
 const COAST_LOCAL_PATCH_M = vec2f(32.0, 12.0);
-// Reciprocal of the factor of the coast from which it has made all of them. Behind the waterline the factor is 0, and there is no water.
+// Reciprocal of the coast's factor from which the slopes of the open sea hold in full. Behind the waterline, where there is
+// no water, the factor is 0.
 const COAST_LOCAL_RISE = 30.0;
 
 // Factor on the slopes of the waves of a layer.

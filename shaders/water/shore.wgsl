@@ -12,7 +12,8 @@ const SHORE_SHEET_COVER = 0.30;
 const SHORE_SHEET_DEPTH = 0.30;
 // Height of the run-up, m, below which the edge of the water bears no foam (x), and from which it bears all (y).
 const SHORE_LACE_RUN_UP_M = vec2f(0.1, 0.6);
-// The same for the collar of foam around rock and walls, where waves of some decimetres only splash.
+// Height of the run-up, m, below which no collar of foam lies around rock and walls (x), and from which the collar is full
+// (y): waves of some decimetres only splash there.
 const SHORE_COLLAR_RUN_UP_M = vec2f(0.2, 0.9);
 // Part of the collar that foam covers at the waterline, and depth of the still water in which it ends, relative to the
 // height of the run-up, where the level is the mean one: twice as wide on crests, nothing in the deepest troughs.
@@ -20,7 +21,8 @@ const SHORE_COLLAR_COVER = 0.9;
 const SHORE_COLLAR_DEPTH = 2.5;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
-// Distance from stone, m, of the waves that wash it: nearer, the map of the coast knows them only by halves.
+// Distance before stone, m, at which the run-up of the waves that wash it is read: nearer, the map's texels average the
+// run-up with that of the land.
 const SHORE_BEFORE_STONE_M = 12.0;
 // Width of the ground, m, by whose mean slope the foot of a cliff is told from a beach, and the factor on that slope:
 // half of this ground is level bed.
@@ -31,7 +33,7 @@ const SHORE_PLUME = 0.6;
 
 // Share of the land's look in the bed under a column of water.
 fn bed_shore_share(column: f32) -> f32 {
-  return 1.0 - maths_smooth((column - BED_SHORE_M.x) / (BED_SHORE_M.y - BED_SHORE_M.x));
+  return 1.0 - maths_rise(column, BED_SHORE_M);
 }
 
 // The ground of the bed near the shore, at `at` relative to the point below the eye: the sand of the beach, under water.
@@ -49,11 +51,6 @@ fn shore_run_up_m(at: vec2f) -> f32 {
     return coast_at(at).w;
   }
   return land.run_up_m;
-}
-
-// Rises smoothly from 0 to 1 while `v` crosses a range.
-fn shore_rise(v: f32, range: vec2f) -> f32 {
-  return maths_smooth((v - range.x) / (range.y - range.x));
 }
 
 // How much of the ground breaks the waves at once, 0 to 1: rock and rubble do. `ground` is that of land_at.
@@ -77,14 +74,15 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32) -> FoamAmount {
   return FoamAmount(all, old * foam.fresh, max(foam.plume, SHORE_PLUME * cover), mix(young, foam.young, old));
 }
 
-// The foam of a pixel, with the collar around stone of the hardness `hard`. The others are as in shore_add_lace.
+// The foam of a pixel, with the collar around stone whose share is `hard`. `ground`, `at` and `height` have the meaning
+// that they have in shore_add_lace.
 fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, height: f32) -> FoamAmount {
   let down = ground.yz * inverseSqrt(max(dot(ground.yz, ground.yz), 1e-4));
   let run_up = max(shore_run_up_m(at - SHORE_BEFORE_STONE_M * land_to_world(down)), 1e-3);
   // The collar grows with a crest that runs up the stone, and what it leaves is drawn out by the trough.
   let reach = SHORE_COLLAR_DEPTH * run_up * (1.0 + clamp(height / run_up, -0.8, 1.0));
   let near = saturate(1.0 + ground.x / reach);
-  let lively = min(frame.foam_amount, 1.0) * shore_rise(run_up, SHORE_COLLAR_RUN_UP_M);
+  let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_COLLAR_RUN_UP_M);
   return shore_more_foam(foam, SHORE_COLLAR_COVER * lively * hard * maths_smooth(near), near);
 }
 
@@ -102,7 +100,7 @@ fn shore_add_lace(foam: FoamAmount, at: vec2f, height: f32, size: f32) -> FoamAm
   let column = max(height - ground.x, 0.0);
   if column < SHORE_SHEET_DEPTH * land.run_up_m {
     let run_up = max(shore_run_up_m(at), 1e-3);
-    let lively = min(frame.foam_amount, 1.0) * shore_rise(run_up, SHORE_LACE_RUN_UP_M);
+    let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_LACE_RUN_UP_M);
     let line = maths_smooth(2.0 - 2.0 * column / SHORE_LACE_M);
     let sheet = SHORE_SHEET_COVER * maths_smooth(1.0 - column / (SHORE_SHEET_DEPTH * run_up));
     out = shore_more_foam(out, lively * max(SHORE_LACE_COVER * line, sheet), line);

@@ -4,9 +4,8 @@
 @group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
 @group(1) @binding(2) var moments_map: texture_2d_array<f32>;
 @group(1) @binding(3) var foam_map: texture_2d_array<f32>;
-// The first sampler interpolates between mip levels, the second takes the nearest one.
+// Interpolates between mip levels. The sampler that takes the nearest one is in shaders/water/coast_map.wgsl.
 @group(1) @binding(4) var trilinear_sampler: sampler;
-@group(1) @binding(5) var nearest_mip_sampler: sampler;
 
 // Interpolation between texels by five bilinear samples, from linear (smoothness 0) to a Catmull-Rom spline over 4 x 4
 // texels (1). The corners of the spline, at most 1.6 % of its weight, are left out.

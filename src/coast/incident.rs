@@ -38,6 +38,26 @@ pub struct Placement {
     pub turn_rad: f64,
 }
 
+impl Placement {
+    /// World position (x, z), m, of a point (x, y) in the coast's frame, m.
+    pub fn world_m(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.turn_rad.sin_cos();
+        let [east, south] = self.origin_m;
+        [east + x * cos - y * sin, south + x * sin + y * cos]
+    }
+
+    /// Point (x, y) in the coast's frame, m, of a world position (x, z), m.
+    pub fn in_frame_m(&self, world_m: [f64; 2]) -> [f64; 2] {
+        self.turned_into_frame([0, 1].map(|axis| world_m[axis] - self.origin_m[axis]))
+    }
+
+    /// Components (x, y) in the coast's frame of a vector (x, z) of the world.
+    pub fn turned_into_frame(&self, [x, z]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.turn_rad.sin_cos();
+        [x * cos + z * sin, z * cos - x * sin]
+    }
+}
+
 /// A wave of a cascade's lattice in the frame of a coast.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatticeIncident {

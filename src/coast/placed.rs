@@ -184,16 +184,14 @@ impl PlacedCoast {
     /// Depth (m, negative on land) at a world position (x, z), m, between the points of the grid. Beyond the grid that of
     /// its nearest point holds.
     pub fn depth_at_m(&self, world_m: [f64; 2]) -> f64 {
-        let Placement { origin_m, turn_rad } = self.placement();
-        let (sin, cos) = turn_rad.sin_cos();
-        let [x, z] = [world_m[0] - origin_m[0], world_m[1] - origin_m[1]];
+        let [x, y] = self.placement().in_frame_m(world_m);
         let grid = &self.bathymetry;
         let place = |at_m: f64, count: usize| {
             let at = (at_m / grid.cell_m).clamp(0.0, (count - 1) as f64);
             let whole = at.floor().min((count - 2) as f64);
             (whole as usize, at - whole)
         };
-        let ((i, u), (j, v)) = (place(x * cos + z * sin, grid.columns), place(z * cos - x * sin, grid.rows));
+        let ((i, u), (j, v)) = (place(x, grid.columns), place(y, grid.rows));
         let row = |j: usize| (1.0 - u) * grid.at(i, j) + u * grid.at(i + 1, j);
         (1.0 - v) * row(j) + v * row(j + 1)
     }
@@ -213,9 +211,7 @@ impl PlacedCoast {
         let x =
             land.map_or(0.5 * self.side_m()[0], |column| (column as f64 * grid.cell_m - SHORE_VIEW_BEFORE_M).max(0.0));
         let y = row as f64 * grid.cell_m;
-        let Placement { origin_m: [east, south], turn_rad } = self.placement();
-        let (sin, cos) = turn_rad.sin_cos();
-        ([east + x * cos - y * sin, south + x * sin + y * cos], self.toward_deg)
+        (self.placement().world_m([x, y]), self.toward_deg)
     }
 
     /// Lengths of the grid along x and along y, m.
@@ -350,11 +346,8 @@ mod tests {
             let (sin, cos) = heading_deg.to_radians().sin_cos();
             // Depth at the point of the grid that is nearest to a point ahead of the eye.
             let (placement, grid) = (placed.placement(), &placed.bathymetry);
-            let (turn_sin, turn_cos) = placement.turn_rad.sin_cos();
             let depth = |ahead_m: f64| {
-                let [x, z] =
-                    [east + ahead_m * sin - placement.origin_m[0], south - ahead_m * cos - placement.origin_m[1]];
-                let at = [x * turn_cos + z * turn_sin, -x * turn_sin + z * turn_cos];
+                let at = placement.in_frame_m([east + ahead_m * sin, south - ahead_m * cos]);
                 let [column, row] = at.map(|m| (m / grid.cell_m).round() as usize);
                 grid.at(column, row)
             };

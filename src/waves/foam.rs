@@ -125,11 +125,12 @@ impl FoamModel {
     /// that break has the mean foam of the sea in all cells.
     pub fn foam_source_for_texel(&self, plan: &Plan, texel_m: f64) -> FoamSource {
         let breaker_m = breaker_texel_m(plan);
-        let sigma = strain_deviation(plan, texel_m.max(breaker_m));
+        let breaker_sigma = strain_deviation(plan, breaker_m);
+        let sigma = if texel_m > breaker_m { strain_deviation(plan, texel_m) } else { breaker_sigma };
         if self.threshold_sigmas.is_infinite() {
             return FoamSource::NONE;
         }
-        if sigma < MIN_STRAIN_DEVIATION || sigma < MIN_RESOLVED_STRAIN * strain_deviation(plan, breaker_m) {
+        if sigma < MIN_STRAIN_DEVIATION || sigma < MIN_RESOLVED_STRAIN * breaker_sigma {
             let mean = self.expected_mean_foam.min(MAX_COVERAGE);
             let gain = plan.sea.foam.rate_per_s * plan.sea.foam.decay_s;
             let even = if gain > 0.0 { (mean / (1.0 - mean) / gain).min(1.0) } else { 0.0 };

@@ -78,16 +78,12 @@ impl Transfer {
 
     /// World coordinates (x, z), m, of the point (`x_m`, `y_m`) of the coast's frame, m.
     pub fn world_m(&self, [x_m, y_m]: [f64; 2]) -> [f64; 2] {
-        let (sin, cos) = self.placement.turn_rad.sin_cos();
-        let [east, south] = self.placement.origin_m;
-        [east + x_m * cos - y_m * sin, south + x_m * sin + y_m * cos]
+        self.placement.world_m([x_m, y_m])
     }
 
     /// The point (x, y), m, of the coast's frame at the world coordinates `at_m` (x, z), m.
     pub fn in_frame_m(&self, at_m: [f64; 2]) -> [f64; 2] {
-        let (sin, cos) = self.placement.turn_rad.sin_cos();
-        let [east, south] = [0, 1].map(|axis| at_m[axis] - self.placement.origin_m[axis]);
-        [east * cos + south * sin, south * cos - east * sin]
+        self.placement.in_frame_m(at_m)
     }
 }
 

@@ -92,8 +92,6 @@ impl OpenSea {
         if !transfer.fits(plan) {
             return None;
         }
-        let (sin, cos) = transfer.placement.turn_rad.sin_cos();
-        let in_frame = |[x, z]: [f64; 2]| [x * cos + z * sin, z * cos - x * sin];
         let lowest = plan.dispersion.omega(plan.cascades.iter().map(|c| c.dk()).fold(f64::INFINITY, f64::min));
         let band_of = |omega: f64| ((omega / lowest).ln() / BAND_RATIO.ln()).max(0.0) as usize;
         let mut bands: Vec<Band> = Vec::new();
@@ -117,10 +115,10 @@ impl OpenSea {
             band.omega_rad_s /= band.open_m2.max(f64::MIN_POSITIVE);
             band.rest_m2 = band.open_m2;
         }
-        let mut rest_flux = in_frame(flux);
+        let mut rest_flux = transfer.placement.turned_into_frame(flux);
         let mut waves = expected_waves(&transfer, plan, band_of);
         for wave in &mut waves {
-            wave.k_rad_m = in_frame(wave.k_rad_m);
+            wave.k_rad_m = transfer.placement.turned_into_frame(wave.k_rad_m);
             let k = wave.k_rad_m[0].hypot(wave.k_rad_m[1]);
             let per_k = wave.variance_m2 * plan.dispersion.group_velocity(k) / k;
             rest_flux = [0, 1].map(|axis| rest_flux[axis] - per_k * wave.k_rad_m[axis]);

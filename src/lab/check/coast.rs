@@ -8,7 +8,7 @@ use crate::gpu::{Gpu, readback};
 use crate::oracle::coast::{CoastPoint, CoastWaves};
 use crate::oracle::{self, Complex, Texel};
 use crate::sim::Simulation;
-use crate::sim::coast::square::{CoastSquare, frame_from_world};
+use crate::sim::coast::square::CoastSquare;
 use crate::sim::resources::MapKind;
 use crate::waves::Plan;
 use crate::waves::statistics::lattice_indices;
@@ -54,10 +54,9 @@ impl SyntheticCoast {
     pub fn transfer(&self, plan: &Plan) -> Transfer {
         let cascade = &plan.cascades[0];
         let [columns, rows] = self.size;
-        let (sin, cos) = self.placement.turn_rad.sin_cos();
         let mut groups: BTreeMap<[i64; 2], Vec<([i32; 2], [f64; 2])>> = BTreeMap::new();
-        for (index, [kx, ky]) in self.strongest(plan) {
-            let turned = [kx * cos + ky * sin, ky * cos - kx * sin];
+        for (index, k) in self.strongest(plan) {
+            let turned = self.placement.turned_into_frame(k);
             let key = [(12.0 * turned[0].hypot(turned[1]).ln()) as i64, (6.0 * turned[1].atan2(turned[0])) as i64];
             groups.entry(key).or_default().push((index, turned));
         }
@@ -191,7 +190,7 @@ pub async fn compare(
     let n = plan.n;
     let square = CoastSquare::around(&transfer, n);
     let waves = CoastWaves::new(&transfer, &plan, h0, t_s);
-    let texel = |i: u32| frame_from_world(&transfer.placement, square.texel_position_m([i % n, i / n], n));
+    let texel = |i: u32| transfer.placement.in_frame_m(square.texel_position_m([i % n, i / n], n));
     let places: Vec<[f64; 2]> = (0..n * n).map(texel).collect();
     let sums: Vec<CoastPoint> = places.iter().map(|at| waves.at(*at)).collect();
     let maps = oracle::coast::maps(&sums, square.side_m / f64::from(n));

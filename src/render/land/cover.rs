@@ -1,7 +1,6 @@
-//! What lies and grows on the land near the eye: stones and dune grass (shaders/land/cover.wgsl). They are drawn into the
-//! G-buffer after the mesh of the land, as pixels of land, which the light of the land then lights.
+//! Draws stones and dune grass into the G-buffer, after the mesh of the land (shaders/land/cover.wgsl). The pass that
+//! lights the land lights them as well.
 
-use super::map::eye_place;
 use super::relief::{INNER, Relief};
 use super::stones::{Block, LandStone, StoneTile, Stones, TILE_M};
 use crate::coast::PlacedCoast;
@@ -22,15 +21,16 @@ const LEAN_STONES_UP_TO_M: [f64; 3] = [35.0, 110.0, 260.0];
 /// Height above the still water around which stones lie, m.
 const STONES_HEIGHT_M: f64 = 2.0;
 
-/// Sides of the squares with a tuft of grass each, for tufts near the eye and for those that stand everywhere, m
+/// Sides of the squares of the ground with one tuft of grass each, m: of dense tufts near the eye, and of sparse tufts
+/// around them
 /// (`COVER_TUFT_M` in shaders/land/cover.wgsl).
 const TUFT_CELL_M: [f64; 2] = [0.45, 0.85];
-/// Distances from the eye up to which they are drawn, m; the lean tier has only the second, and nearer.
+/// Distances from the eye up to which dense and sparse tufts are drawn, m. The lean tier draws only sparse ones, and nearer.
 const TUFTS_UP_TO_M: [f64; 2] = [14.0, 58.0];
 const LEAN_TUFTS_UP_TO_M: f64 = 30.0;
-/// Largest numbers of tufts. With them, grass has 200,000 vertices.
+/// Largest numbers of dense and of sparse tufts. With them, grass has 200,000 vertices.
 const MAX_TUFTS: [u32; 2] = [1100, 4900];
-/// Number of blades of a tuft, and of the corners of a blade. Near the eye a blade has three triangles, else one.
+/// Numbers of blades of a dense and of a sparse tuft, and of corners of a blade, which has three triangles or one.
 const BLADES: [u32; 2] = [12, 9];
 const BLADE_CORNERS: [u32; 2] = [5, 3];
 const BLADE_TRIANGLES: [&[u32]; 2] = [&[0, 1, 2, 2, 1, 3, 2, 3, 4], &[0, 1, 2]];
@@ -44,13 +44,14 @@ const GRASS_LOWER_M: f32 = 1.2;
 const MEADOWS: usize = 48;
 
 gpu_struct! {
-    /// WGSL `LandCover`: which tufts of grass are drawn, and how the wind bends them. Pairs are for those near the eye,
-    /// and for those that stand everywhere.
+    /// WGSL `LandCover`: which tufts of grass are drawn, and how the wind bends them. The first component of a pair
+    /// belongs to the dense tufts near the eye, the second to the sparse tufts around them.
     pub struct CoverUniform as "LandCover" {
-        /// Column and row of the first square of the near tufts, in the frame of the coast.
+        /// Column and row of the first square of the dense tufts, in the frame of the coast.
         first_near: [i32; 2],
+        /// Column and row of the first square of the sparse tufts.
         first_far: [i32; 2],
-        /// Numbers of columns.
+        /// Numbers of columns of squares.
         columns: [u32; 2],
         /// Distances from the eye at which the last tufts stand, m.
         reach_m: [f32; 2],
@@ -60,7 +61,7 @@ gpu_struct! {
         sway: [f32; 2],
         /// Amplitude of the sway, as a part of the height.
         sway_gain: f32,
-        /// Number of near tufts.
+        /// Number of dense tufts.
         near_tufts: u32,
     }
 }
@@ -133,13 +134,13 @@ impl Cover {
     /// Decides what the next frame draws.
     pub fn prepare(&mut self, gpu: &Gpu, scene: &Scene, coast: &PlacedCoast) {
         let view = &scene.view;
-        let (sin, cos) = coast.turn_rad().sin_cos();
-        let eye = eye_place(coast, scene);
+        let placement = coast.placement();
+        let eye = placement.in_frame_m([view.eye.x, view.eye.z]);
         let up_to_m = if scene.is_lean { LEAN_STONES_UP_TO_M } else { STONES_UP_TO_M };
         self.stone_draws.clear();
         for tile in &self.tiles {
-            let [x, y] = [tile.middle_m[0] - eye[0], tile.middle_m[1] - eye[1]];
-            let off = DVec3::new(x * cos - y * sin, STONES_HEIGHT_M - view.eye.y, x * sin + y * cos);
+            let [x, z] = placement.world_m(tile.middle_m);
+            let off = DVec3::new(x, STONES_HEIGHT_M, z) - view.eye;
             let draw = tile_draw(tile, off.length(), up_to_m).filter(|_| is_seen(view, off, TILE_M));
             self.stone_draws.extend(draw.map(|(shape, stones)| (self.of_stone[shape].clone(), stones)));
         }
@@ -148,7 +149,7 @@ impl Cover {
         if view.eye.y > up_to_m[1] || scene.dives() || !self.has_meadow_near(eye, coast.side_m(), up_to_m[1]) {
             return;
         }
-        let to_coast = |[x, z]: [f64; 2]| [x * cos + z * sin, z * cos - x * sin];
+        let to_coast = |vector: [f64; 2]| placement.turned_into_frame(vector);
         let fields: [TuftField; 2] = std::array::from_fn(|i| TuftField::new(view, eye, to_coast, up_to_m, i));
         let [near, far] = [fields[0].count(), fields[1].count()];
         let wind_m_s = scene.sea.wind_m_s;
@@ -261,7 +262,7 @@ struct TuftField {
 }
 
 impl TuftField {
-    /// The field of near tufts (0) or of those everywhere (1). If too many are in the picture, they end nearer.
+    /// The field of dense tufts (0) or of sparse ones (1). If too many are in the picture, the field ends nearer.
     fn new(
         view: &View,
         eye: [f64; 2],

@@ -44,7 +44,7 @@ impl LandUniform {
         let run_up = RunUp::new(scene.sea.hs_m, scene.sea.peak_wavelength_m, FORESHORE_SLOPE);
         Self {
             shoreward: [cos as f32, sin as f32],
-            eye_place: eye_place(coast, scene).map(|at| at as f32),
+            eye_place: placement.in_frame_m([scene.view.eye.x, scene.view.eye.z]).map(|at| at as f32),
             uv_per_m: steps.map(|step_m| (1.0 / (step_m * INNER as f64)) as f32),
             uv_start: [(0.5 / INNER as f64) as f32; 2],
             side_m: coast.side_m().map(|side_m| side_m as f32),
@@ -54,14 +54,6 @@ impl LandUniform {
             unused: [0; 3],
         }
     }
-}
-
-/// Position of the point below the eye in the frame of the coast, m.
-pub fn eye_place(coast: &PlacedCoast, scene: &Scene) -> [f64; 2] {
-    let placement = coast.placement();
-    let (sin, cos) = placement.turn_rad.sin_cos();
-    let [x, z] = [scene.view.eye.x - placement.origin_m[0], scene.view.eye.z - placement.origin_m[1]];
-    [x * cos + z * sin, z * cos - x * sin]
 }
 
 /// The map of a coast's land, for tests that call WGSL functions of the renderer.

@@ -53,9 +53,17 @@ pub struct LandPass {
     uniform: Uniform<LandUniform>,
     /// The map that shaders read: one texel of no meaning without land.
     map: wgpu::TextureView,
-    /// Triangles: bind group of the vertices and of what covers the land, indices and their number.
-    mesh: Option<(wgpu::BindGroup, wgpu::Buffer, u32)>,
-    cover: Option<Cover>,
+    /// What is drawn of the land; None without land.
+    drawn: Option<Drawn>,
+}
+
+/// The triangles of the land, and what covers it, on the GPU.
+struct Drawn {
+    /// The vertices, and the stones and the grass of the cover.
+    group: wgpu::BindGroup,
+    indices: wgpu::Buffer,
+    index_count: u32,
+    cover: Cover,
 }
 
 struct Made {
@@ -75,8 +83,7 @@ impl LandPass {
             coast: None,
             uniform: Uniform::new(gpu, "land"),
             map: map::no_land_map(gpu),
-            mesh: None,
-            cover: None,
+            drawn: None,
         }
     }
 
@@ -103,8 +110,7 @@ impl LandPass {
             return false;
         }
         self.map.texture().destroy();
-        self.mesh = None;
-        self.cover = None;
+        self.drawn = None;
         let Some(land) = land else {
             self.map = map::no_land_map(gpu);
             return true;
@@ -121,14 +127,13 @@ impl LandPass {
         let cover = Cover::new(gpu, &relief);
         let resources = [&vertices, &cover.stones, &cover.corners, &cover.uniform.buffer];
         let group = gpu.bind_group("land", &layout, &resources.map(wgpu::Buffer::as_entire_binding));
-        self.cover = Some(cover);
-        self.mesh = Some((group, indices, mesh.indices.len() as u32));
+        self.drawn = Some(Drawn { group, indices, index_count: mesh.indices.len() as u32, cover });
         true
     }
 
-    /// Selects the pipelines for the frame of a scene, and compiles them at first use.
+    /// Decides which stones and grass the frame of a scene draws, selects its pipelines, and compiles them at first use.
     pub fn select_pipelines(&mut self, gpu: &Gpu, scene: &Scene, water: &WaterPass) {
-        let (Some(coast), Some(cover)) = (&self.coast, &mut self.cover) else { return };
+        let (Some(coast), Some(Drawn { cover, .. })) = (&self.coast, &mut self.drawn) else { return };
         let made = self.made.get_or_insert_with(|| {
             let module = self.shaders.module(gpu, "land/light");
             let vertices_layout = vertices_layout(gpu);
@@ -174,20 +179,18 @@ impl LandPass {
 
     /// Draws the land, and what covers it, into the G-buffer; its pixels have the undisplaced position of no water.
     pub fn draw_g_buffer(&self, pass: &mut wgpu::RenderPass<'_>, water: &WaterPass) {
-        let (Some(made), Some((vertices, indices, count))) = (&self.made, &self.mesh) else { return };
+        let (Some(made), Some(drawn)) = (&self.made, &self.drawn) else { return };
         pass.set_pipeline(&made.g_buffer_pipeline);
         pass.set_bind_group(0, &water.scene.group, &[]);
-        pass.set_bind_group(1, vertices, &[]);
-        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..*count, 0, 0..1);
-        if let Some(cover) = &self.cover {
-            cover.draw(pass, &made.cover_pipelines);
-        }
+        pass.set_bind_group(1, &drawn.group, &[]);
+        pass.set_index_buffer(drawn.indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..drawn.index_count, 0, 0..1);
+        drawn.cover.draw(pass, &made.cover_pipelines);
     }
 
     /// Draws the light of all pixels that show land.
     pub fn draw_light(&self, pass: &mut wgpu::RenderPass<'_>, water: &WaterPass) {
-        let Some(made) = self.made.as_ref().filter(|_| self.mesh.is_some()) else { return };
+        let Some(made) = self.made.as_ref().filter(|_| self.drawn.is_some()) else { return };
         let Some(pipeline) = made.light_pipelines.selected() else { return };
         if water.bind_light_groups(pass) {
             pass.set_pipeline(pipeline);

@@ -258,7 +258,7 @@ impl Relief {
         self.between(place_m, |i| self.slope[i])
     }
 
-    /// What the ground consists of at the point nearest to a place in the coast's rectangle.
+    /// Material of the ground, as in `kind`, at the grid point that is nearest to a place in the coast's rectangle.
     pub fn kind_at(&self, place_m: [f64; 2]) -> f32 {
         let [column, row] = self.inner_place(place_m).map(|at| at.round() as usize);
         self.kind[Self::inner_index(column, row)]

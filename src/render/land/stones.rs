@@ -30,16 +30,17 @@ const LONG_SHARE: f64 = 0.5;
 gpu_struct! {
     /// WGSL `LandStone`: a stone on the land.
     pub struct LandStone as "LandStone" {
-        /// Position of its middle in the frame of the coast, m, and height above the still water, m.
+        /// Position of the stone's middle in the frame of the coast, m, and its height above the still water, m.
         place: [f32; 2],
         height_m: f32,
-        /// Its length, m.
+        /// Length of the stone, m.
         size_m: f32,
-        /// Its orientation: a quaternion as four 8-bit signed fractions.
+        /// Orientation of the stone: a quaternion as four 8-bit signed fractions.
         turn: u32,
         /// Slopes of the ground below it as half floats.
         slope: u32,
-        /// What it is: 1 to 2 for blocks of a breakwater, 2 to 3 for rock; its fraction is the tone.
+        /// Kind of the stone: 1 to 2 for a block of a breakwater, 2 to 3 for rock. The fraction is the tone of its colour,
+        /// from dark to light.
         look: f32,
         /// Random number, which gives each stone corners of its own.
         seed: u32,
@@ -50,7 +51,7 @@ gpu_struct! {
 pub struct StoneTile {
     /// Middle in the frame of the coast, m.
     pub middle_m: [f64; 2],
-    /// Numbers of its stones, the longest first.
+    /// Indices of its stones, which are sorted from the longest to the shortest.
     pub stones: Range<u32>,
     /// Number of those that are drawn far from the eye.
     pub long: u32,
@@ -69,8 +70,7 @@ impl Stones {
             tiles.entry([x, y].map(|at| (at / TILE_M).floor() as i32)).or_default().push(stone);
         };
         for at in cells(relief, BLOCK_CELL_M) {
-            let (height_m, kind) = (relief.height_at_m(at), relief.kind_at(at));
-            if kind == RUBBLE && BLOCK_GROUND_M.contains(&height_m) {
+            if relief.kind_at(at) == RUBBLE && BLOCK_GROUND_M.contains(&relief.height_at_m(at)) {
                 let random = Random::new(at, 1);
                 let at = random.beside(at, BLOCK_CELL_M);
                 add(at, random.stone(relief, at, 1.0, BLOCK_M));

@@ -1,7 +1,6 @@
 //! The square of the world in which the maps hold the waves at a coast.
 
 use crate::coast::Transfer;
-use crate::coast::incident::Placement;
 
 /// Length of the shortest waves of a transfer in the open sea, in texels of the square.
 pub const SHORTEST_COASTAL_WAVE_TEXELS: f64 = 4.0;
@@ -22,8 +21,7 @@ impl CoastSquare {
     /// The smallest square that holds the grid of a transfer, for maps of `n` x `n` texels.
     pub fn around(transfer: &Transfer, n: u32) -> Self {
         let [wide, long] = [transfer.columns, transfer.rows].map(|count| (count - 1) as f64 * transfer.cell_m);
-        let corners =
-            [[0.0, 0.0], [wide, 0.0], [0.0, long], [wide, long]].map(|at| world_from_frame(&transfer.placement, at));
+        let corners = [[0.0, 0.0], [wide, 0.0], [0.0, long], [wide, long]].map(|at| transfer.placement.world_m(at));
         let low = [0, 1].map(|axis| corners.iter().map(|c| c[axis]).fold(f64::INFINITY, f64::min));
         let high = [0, 1].map(|axis| corners.iter().map(|c| c[axis]).fold(f64::NEG_INFINITY, f64::max));
         let n = f64::from(n);
@@ -55,23 +53,10 @@ impl CoastSquare {
     }
 }
 
-/// World position (x, z), m, of a point (x, y) in the frame of a coast, m.
-pub fn world_from_frame(placement: &Placement, [x, y]: [f64; 2]) -> [f64; 2] {
-    let (sin, cos) = placement.turn_rad.sin_cos();
-    let [east, south] = placement.origin_m;
-    [east + x * cos - y * sin, south + x * sin + y * cos]
-}
-
-/// Point (x, y) in the frame of a coast, m, of a world position (x, z), m.
-pub fn frame_from_world(placement: &Placement, at: [f64; 2]) -> [f64; 2] {
-    let (sin, cos) = placement.turn_rad.sin_cos();
-    let [east, south] = [0, 1].map(|axis| at[axis] - placement.origin_m[axis]);
-    [east * cos + south * sin, south * cos - east * sin]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::coast::incident::Placement;
     use crate::coast::transfer::LatticeKey;
 
     #[test]
@@ -93,9 +78,9 @@ mod tests {
             let square = CoastSquare::around(&transfer, n);
             let margin = MARGIN_TEXELS / f64::from(n) - 0.51 / f64::from(n);
             for at in [[0.0, 0.0], [400.0, 0.0], [0.0, 700.0], [400.0, 700.0]] {
-                let world = world_from_frame(&placement, at);
+                let world = placement.world_m(at);
                 assert!(square.uv(world).iter().all(|u| (margin..1.0 - margin).contains(u)), "{turn_rad}: {world:?}");
-                let back = frame_from_world(&placement, world);
+                let back = placement.in_frame_m(world);
                 assert!((0..2).all(|axis| (back[axis] - at[axis]).abs() < 1e-9));
             }
             let texel_m = square.side_m / f64::from(n);

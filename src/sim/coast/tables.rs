@@ -1,6 +1,6 @@
 //! Tables that the passes of a coast read, from its transfer functions.
 
-use super::square::{CoastSquare, frame_from_world};
+use super::square::CoastSquare;
 use super::uniform::CoastUniform;
 use crate::coast::Transfer;
 use crate::coast::transfer::{LatticeKey, SeaAtPoint};
@@ -85,7 +85,7 @@ pub fn gain_texels(transfer: &Transfer, square: &CoastSquare) -> Vec<[f16; 4]> {
     let texel = |i: usize| {
         let uv = [i % side, i / side].map(|index| (index as f64 + 0.5) / side as f64);
         let world = [0, 1].map(|axis| square.corner_m[axis] + uv[axis] * square.side_m);
-        let grid = frame_from_world(&transfer.placement, world).map(|x| x / transfer.cell_m);
+        let grid = transfer.placement.in_frame_m(world).map(|x| x / transfer.cell_m);
         let last = [transfer.columns, transfer.rows].map(|count| (count - 1) as f64);
         let is_inside = (0..2).all(|axis| (0.0..=last[axis]).contains(&grid[axis]));
         let [short, weight, run_up_m] = interpolated(transfer, [0, 1].map(|axis| grid[axis].clamp(0.0, last[axis])));
