@@ -23,7 +23,7 @@ use std::sync::{LazyLock, Mutex};
 const SEAS: [&str; 3] = ["n=256", "n=512", "n=1024"];
 /// Pictures that together need the renderer's pipelines: one for each part that shaders have or lack, except for a sky
 /// from a file, which no state string holds.
-const PICTURES: [&str; 26] = [
+const PICTURES: [&str; 29] = [
     "",
     "detail=lean",
     "foam=0",
@@ -50,6 +50,9 @@ const PICTURES: [&str; 26] = [
     "dive=5",
     "dive=2&depth=5&clouds=cumulus",
     "dive=0.1&afloat=buoy*12.5*-30",
+    "coast=harbour&depth=10.9&sun=8&x=82&z=-59&y=7&heading=150",
+    "coast=harbour&depth=10.9&sun=8&x=82&z=-59&y=7&heading=150&detail=lean",
+    "coast=beach&depth=12&sun=60&x=642&z=-110&y=8&heading=214",
 ];
 
 #[derive(Default)]
@@ -146,6 +149,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let wanted = params(picture)?;
         ocean.set_params(&wanted);
         ocean.set_lean(wanted.screen.detail == Detail::Lean);
+        ocean.solve_coast();
         let mut encoder = gpu.encoder("picture");
         ocean.record_frame(&mut encoder, size, 1);
     }
