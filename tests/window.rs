@@ -79,7 +79,7 @@ impl Desk {
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).expect("a folder");
         let mut display = Command::new("Xvfb")
-            .args(["-displayfd", "1", "-screen", "0", "1400x800x24", "-nolisten", "tcp"])
+            .args(["-displayfd", "1", "-screen", "0", "1400x800x24", "-noreset", "-nolisten", "tcp"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
