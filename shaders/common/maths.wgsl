@@ -71,3 +71,14 @@ fn maths_rise(x: f32, range: vec2f) -> f32 {
 fn maths_complex_mul(a: vec2f, b: vec2f) -> vec2f {
   return vec2f(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
+
+// Cumulative normal distribution (Bowling and others 2009, accurate to 2e-4).
+fn maths_normal_cdf(x: f32) -> f32 {
+  return 1.0 / (1.0 + exp(clamp(-x * (1.5976 + 0.07056 * x * x), -40.0, 40.0)));
+}
+
+// Inverse of the cumulative normal distribution (Abramowitz and Stegun 26.2.22, accurate to 3e-3).
+fn maths_normal_quantile(share: f32) -> f32 {
+  let t = sqrt(-2.0 * log(min(share, 1.0 - share)));
+  return sign(share - 0.5) * (t - (2.30753 + 0.27061 * t) / (1.0 + t * (0.99229 + 0.04481 * t)));
+}

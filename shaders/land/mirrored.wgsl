@@ -30,7 +30,7 @@ fn land_mirrored(mirror: WaterMirror, place: vec2f, height: f32, rays: WaterMirr
     let sharp = inverseSqrt(rays.blur.y * rays.blur.y + 1e-6);
     let low = -rise * sharp;
     // Rays below the level meet other waves.
-    let met = foam_normal_cdf(low + horizon.rise * sharp) - foam_normal_cdf(low);
+    let met = maths_normal_cdf(low + horizon.rise * sharp) - maths_normal_cdf(low);
     let at = place + toward * horizon.far_m;
     let radiance = land_far_radiance(at, land_at(at, land_lod(0.25 * horizon.far_m)));
     out.radiance = mix(mirror.radiance, (mirror.reflectance * material.sky_reflection) * radiance, met);

@@ -77,9 +77,9 @@ fn bed_ground(at: vec2f, step: vec2f, size: f32, banks: vec2f) -> BedGround {
     let heads = bed_noise(BED_HEAD_LAYER, tap, lods.y).zw;
     let fine = bed_noise(BED_RIPPLE_LAYER, tap, lods.z);
     tap += 2.0 * step;
-    let meadow = foam_normal_cdf(
+    let meadow = maths_normal_cdf(
       (dot(BED_MEADOW_WEIGHTS, vec3f(banks.x, wide.x, heads.x)) + material.bed_cover_edges.x) * sharp.x);
-    let reef = foam_normal_cdf(
+    let reef = maths_normal_cdf(
       (dot(BED_REEF_WEIGHTS, vec3f(-banks.x, wide.y, heads.y)) + material.bed_cover_edges.y) * sharp.y);
     // Sand is rippled in places.
     let rippled = saturate(0.65 + 0.3 * heads.x);

@@ -1,10 +1,5 @@
 // Foam of whitecaps: how much of it a pixel holds, and what it looks like.
 
-// Noise layers: windrows of tens of metres, patches of metres, strands of decimetres, threads of centimetres.
-const FOAM_WINDROW_LAYER = 0u;
-const FOAM_PATCH_LAYER = 1u;
-const FOAM_STRAND_LAYER = 2u;
-const FOAM_THREAD_LAYER = 3u;
 // Simulated front above which a cell shows one, and from which it is full. Between, billows tear its edge.
 const FOAM_FRONT_RANGE = vec2f(0.3, 0.65);
 // Cover of a full front: between its billows a few holes stay open.
@@ -100,15 +95,4 @@ fn foam_level(at: vec2f, pixel: WaterFootprint) -> FoamAmount {
     left -= share;
   }
   return foam_amount(foam, filled, left);
-}
-
-// Cumulative normal distribution (Bowling and others 2009, accurate to 2e-4).
-fn foam_normal_cdf(x: f32) -> f32 {
-  return 1.0 / (1.0 + exp(clamp(-x * (1.5976 + 0.07056 * x * x), -40.0, 40.0)));
-}
-
-// Inverse of the cumulative normal distribution (Abramowitz and Stegun 26.2.22, accurate to 3e-3).
-fn foam_normal_quantile(share: f32) -> f32 {
-  let t = sqrt(-2.0 * log(min(share, 1.0 - share)));
-  return sign(share - 0.5) * (t - (2.30753 + 0.27061 * t) / (1.0 + t * (0.99229 + 0.04481 * t)));
 }

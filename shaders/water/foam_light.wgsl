@@ -19,7 +19,7 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let across = slope.variance.x * l.x * l.x + slope.variance.y * l.z * l.z + 2.0 * slope.variance.z * l.x * l.z;
   let deviation = 0.7 * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
   let off = mean / deviation;
-  var wrapped = max(mean * foam_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
+  var wrapped = max(mean * maths_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
   if WATER_SHADOWS {
     // The waves within the pixel shade each other (Smith).
     let lit = water_tilt_projected_area(water_tilt_towards(l, slope));

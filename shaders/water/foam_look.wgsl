@@ -107,7 +107,7 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
   out.factors = weights * FOAM_PER_DEVIATION;
   // Billows take the place of patches in a front. Both are independent, so that the sum keeps its variance.
   out.turn = sqrt(vec2f(1.0 - fresh, fresh));
-  let quantile = foam_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
+  let quantile = maths_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
   let soft = vec2f(FOAM_FILM_SOFTNESS, mix(FOAM_BODY_SOFTNESS.x, FOAM_BODY_SOFTNESS.y, fresh));
   let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
   out.edge = sqrt(1.0 + soft * soft) * (quantile + shift);
@@ -120,8 +120,8 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
 
 // Opacity of film (x) and body (y) where the pattern has the value `z`.
 fn foam_film_and_body(pattern: FoamPattern, z: f32) -> vec2f {
-  let film = foam_normal_cdf((z + pattern.edge.x) * pattern.sharp.x);
-  return vec2f(film, foam_normal_cdf((z + pattern.edge.y) * pattern.sharp.y));
+  let film = maths_normal_cdf((z + pattern.edge.x) * pattern.sharp.x);
+  return vec2f(film, maths_normal_cdf((z + pattern.edge.y) * pattern.sharp.y));
 }
 
 // A place in foam, with the values of its noise, less their mean of 0.5.

@@ -19,7 +19,7 @@ struct WaterGlints {
 // Number with a gamma distribution of the given shape and a mean of 1, from a uniform one (Wilson and Hilferty 1931).
 fn water_gamma_deviate(shape: f32, random: f32) -> f32 {
   let variance = 1.0 / (9.0 * shape);
-  let root = max(1.0 - variance + foam_normal_quantile(random) * sqrt(variance), 0.0);
+  let root = max(1.0 - variance + maths_normal_quantile(random) * sqrt(variance), 0.0);
   return root * root * root;
 }
 

@@ -57,13 +57,13 @@ fn hull_image_met(
     // The outline of a section that is long in the direction of view is nearer than the section's middle.
     let near = 1.0 / max(max(middle_m - 0.6 * length(deep * half), 0.25 * middle_m), 0.2);
     var high = vec4f(dot(off.xz, across), length(seen * half), off.y, 0.0) * near;
-    high.w = foam_normal_cdf((high.z - rise) * sharp.y);
+    high.w = maths_normal_cdf((high.z - rise) * sharp.y);
     let share = high.w - low.w;
     if i > 0u && share > 1e-3 {
       // Most rays pass the band at the height that is nearest to the middle ray's.
       let at = mix(low.xy, high.xy, saturate((rise - low.z) / max(high.z - low.z, 1e-4)));
       let stopped = share
-        * (foam_normal_cdf((at.x + at.y) * sharp.x) - foam_normal_cdf((at.x - at.y) * sharp.x));
+        * (maths_normal_cdf((at.x + at.y) * sharp.x) - maths_normal_cdf((at.x - at.y) * sharp.x));
       let lit = mix(irradiance.front, irradiance.behind, colour.a);
       sum += stopped * vec4f(colour.rgb * lit, 1.0 - through * colour.a);
     }

@@ -150,9 +150,9 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
   let weight = mix(old_weights, FOAM_FRONT_WEIGHTS.xyz, amount.fresh);
   let over = inverseSqrt(dot(weight, weight));
   let resolved = dot(weight * weight, kept) * (over * over);
-  let edge = sqrt(1.0 + LEAN_SOFTNESS * LEAN_SOFTNESS) * foam_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
+  let edge = sqrt(1.0 + LEAN_SOFTNESS * LEAN_SOFTNESS) * maths_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
   let z = over * dot(noise, weight * FOAM_PER_DEVIATION.xyz);
-  let cut = foam_normal_cdf((z + edge) * inverseSqrt(LEAN_SOFTNESS * LEAN_SOFTNESS + 1.0 - resolved));
+  let cut = maths_normal_cdf((z + edge) * inverseSqrt(LEAN_SOFTNESS * LEAN_SOFTNESS + 1.0 - resolved));
   var out: FoamAppearance;
   out.cover = cut * mix(
     LEAN_OLD_FOAM_OPACITY.x + LEAN_OLD_FOAM_OPACITY.y * amount.young, FOAM_FRONT_OPACITY.x + FOAM_FRONT_OPACITY.y,

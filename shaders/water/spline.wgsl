@@ -1,9 +1,8 @@
-// The wave and foam maps, and smooth interpolation between their texels.
+// The wave maps, and smooth interpolation between their texels.
 
 @group(1) @binding(0) var displacement_map: texture_2d_array<f32>;
 @group(1) @binding(1) var gradients_map: texture_2d_array<f32>;
 @group(1) @binding(2) var moments_map: texture_2d_array<f32>;
-@group(1) @binding(3) var foam_map: texture_2d_array<f32>;
 // Interpolates between mip levels. The sampler that takes the nearest one is in shaders/water/coast_map.wgsl.
 @group(1) @binding(4) var trilinear_sampler: sampler;
 

@@ -5,6 +5,7 @@ mod cover;
 pub mod map;
 mod mesh;
 mod relief;
+mod shapes;
 mod stones;
 
 use super::scene::Scene;
