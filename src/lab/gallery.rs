@@ -35,7 +35,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         description: "The sea that the page opens with: a fresh breeze on a long swell, a low sun between \
                       fair-weather cumulus.",
         state: "v=2&wind=8&fetch=60&scale2=1&hs2=1.8&swell2=0.8&sun=11&sunaz=18&haze=0.4&clouds=cumulus&glints=1\
-                &gusts=1&bloom=0.04&y=3&heading=30&pitch=2&t=40&afloat=yacht*22*-32",
+                &gusts=1&bloom=0.04&y=3&heading=30&pitch=2&t=40&afloat=yacht*50*-70",
     },
     GalleryPicture {
         title: "Calm at dawn",
@@ -79,7 +79,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Golden hour",
         description: "A low sun beside a yacht: waves shade each other, and the crests between carry the light.",
         state: "v=2&wind=10&sun=5&sunaz=200&clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=3&heading=204&pitch=1&fov=42\
-                &t=40&afloat=yacht*-6*46",
+                &t=40&afloat=yacht*-17*93",
     },
     GalleryPicture {
         title: "Under water",
@@ -98,14 +98,14 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Rain",
         description: "Rain from a broken deck: streaks, rings and splashes of drops, and a low sun behind the veil.",
         state: "v=2&wind=5&fetch=20&sun=12&sunaz=25&clouds=storm&rain=14&glints=1&gusts=1&exposure=0.5&bloom=0.04&y=1.8\
-                &heading=10&pitch=-3&fov=52&t=40&afloat=yacht*4*-38",
+                &heading=10&pitch=-3&fov=52&t=40&afloat=yacht*30*-80",
     },
     GalleryPicture {
         title: "Shallow tropical water",
         description: "Four metres of water over sand, seagrass and reefs, with caustics, and a yacht that crosses \
                       them.",
         state: "v=2&spectrum=tma&wind=4&fetch=8&depth=4&sun=52&sunaz=70&clouds=cumulus&cloudcover=0.2&glints=1\
-                &gusts=1&bedcover=0.35&caustics=1&bloom=0.04&heading=220&pitch=-8&fov=52&t=40&afloat=yacht*-14*24",
+                &gusts=1&bedcover=0.35&caustics=1&bloom=0.04&heading=220&pitch=-8&fov=52&t=40&afloat=yacht*-28*62",
     },
     GalleryPicture {
         title: "Dusk",

@@ -3,7 +3,7 @@
 /// State string of the first sea: a fresh breeze on a long swell, a low sun between fair-weather cumulus, and a yacht
 /// for scale.
 pub const START: &str = "v=2&wind=8&fetch=60&scale2=1&hs2=1.8&swell2=0.8&sun=11&sunaz=18&haze=0.4&clouds=cumulus\
-    &glints=1&gusts=1&bloom=0.04&y=3&heading=30&pitch=2&t=40&afloat=yacht*22*-32";
+    &glints=1&gusts=1&bloom=0.04&y=3&heading=30&pitch=2&t=40&afloat=yacht*50*-70";
 
 /// State string of the default parameters for a link, because a link without a state string opens [`START`].
 pub const DEFAULT_SEA: &str = "v=2";
