@@ -7,6 +7,8 @@ const LAND_REGION_M = 2230.0;
 // Heights up to which waves splash stone, and up to which it is weedy, relative to that which they run up a beach.
 const LAND_SPLASH = 1.3;
 const LAND_WEED_ZONE = 0.5;
+// Heights above the still water, m, that the tide keeps wet (x) and weedy (y) also where there are no waves.
+const LAND_TIDE_M = vec2f(0.40, 0.28);
 // Fraction of its albedo that wet stone keeps.
 const LAND_WET_STONE = 0.45;
 
@@ -95,8 +97,8 @@ fn land_plants(
 // Stone of an albedo where the sea washes it: dark as high as the waves splash, and weedy as high as they cover it often.
 // The last component is the share of stone that is wet.
 fn land_washed(albedo: vec3f, height: f32, run_up: f32, bend: f32) -> vec4f {
-  let wet = land_wetness(height, bend, LAND_SPLASH * run_up + 0.1);
-  let weedy = land_wetness(height, 1.6 * bend, LAND_WEED_ZONE * run_up + 0.15);
+  let wet = land_wetness(height, bend, LAND_SPLASH * run_up + LAND_TIDE_M.x);
+  let weedy = land_wetness(height, 1.6 * bend, LAND_WEED_ZONE * run_up + LAND_TIDE_M.y);
   let dark = mix(albedo, LAND_WET_STONE * albedo, wet);
   return vec4f(mix(dark, LAND_WEED + 0.18 * albedo, 0.85 * weedy), wet);
 }

@@ -28,6 +28,8 @@ const SHORE_BEFORE_STONE_M = 12.0;
 // half of this ground is level bed.
 const SHORE_CLIFF_M = 24.0;
 const SHORE_CLIFF_SLOPES = 2.0;
+// Depth of the water, m, up to which it is too thin for a cloud of bubbles: the sand shows through.
+const SHORE_CLEAR_M = 0.35;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 
@@ -105,6 +107,7 @@ fn shore_add_lace(foam: FoamAmount, at: vec2f, height: f32, size: f32) -> FoamAm
     let sheet = SHORE_SHEET_COVER * maths_smooth(1.0 - column / (SHORE_SHEET_DEPTH * run_up));
     out = shore_more_foam(out, lively * max(SHORE_LACE_COVER * line, sheet), line);
   }
+  out.plume *= maths_smooth(column / SHORE_CLEAR_M);
   let hard = shore_hardness(ground, place, size);
   if hard > 0.0 {
     out = shore_add_collar(out, ground, hard, at, height);
