@@ -1,8 +1,10 @@
-//! Maps of the waves of the drawn sea near a coast, and the gauges that the user places there. Both are computed in slices of a frame while the panel shows them, and saved as files.
+//! Maps of the waves of the drawn sea near a coast, and the gauges that the user places there. Both are computed in
+//! slices of a frame while the panel shows them, and saved as files.
 
 use super::App;
 use super::language::text;
 use crate::coast::Transfer;
+use crate::coast::bathymetry::Bathymetry;
 use crate::coast::fields_file::CoastFields;
 use crate::coast::gauges::{Gauge, Gauges};
 use crate::coast::sea_maps::{bearing_from_deg, usual_largest};
@@ -64,6 +66,7 @@ pub struct CoastMaps {
     of: Option<(Arc<Transfer>, CoastKey)>,
     solver: Option<(StatisticsSolver, f64)>,
     statistics: Option<Arc<TransferStatistics>>,
+    effect: Option<CoastEffect>,
 }
 
 /// A gauge on the coast.
@@ -81,6 +84,11 @@ impl CoastMaps {
     /// The maps; `None` in the open sea, and until they are computed.
     pub fn statistics(&self) -> Option<&Arc<TransferStatistics>> {
         self.statistics.as_ref()
+    }
+
+    /// How the coast changes the waves; `None` in the open sea, and until the maps are computed.
+    pub fn effect(&self) -> Option<&CoastEffect> {
+        self.effect.as_ref()
     }
 
     /// Fraction of the maps that is computed, while they are.
@@ -133,12 +141,14 @@ impl CoastMaps {
             self.solver = Some((solver, done));
             return true;
         }
-        self.statistics = Some(Arc::new(solver.finish()));
+        let statistics = solver.finish();
+        self.effect = CoastEffect::new(&statistics);
+        self.statistics = Some(Arc::new(statistics));
         false
     }
 
-    /// The gauges with their spectra. `density` is the variance density of the open sea, m^2 s, at an angular frequency,
-    /// rad/s.
+    /// The gauges with their spectra. `density` is the variance density of the open sea, m^2 s, at an angular
+    /// frequency, rad/s.
     pub fn gauges(&self, density: impl Fn(f64) -> f64) -> Option<Gauges> {
         let statistics = self.statistics.as_ref()?;
         let mut out = Gauges::default();
@@ -186,6 +196,9 @@ pub struct CoastEffect {
     pub highest_depth_m: f64,
     /// Depth in which one wave in twenty breaks, on the way from the sea, m; `None` if they break nowhere.
     pub breaking_depth_m: Option<f64>,
+    /// Distance from there to the shore, straight on to the land, m: the median along the coast. `None` if they break
+    /// nowhere, or less than a quarter of the coast has a shore behind that depth.
+    pub breaking_distance_m: Option<f64>,
 }
 
 /// Step of the depths at which breaking is looked for, m.
@@ -220,18 +233,33 @@ impl CoastEffect {
             }
         }
         let step = heights_in_depths.iter().rposition(|(sum, count)| *sum > BREAKING_BEGINS * count);
+        let breaking_depth_m = step.map(|step| (step + 1) as f64 * DEPTH_STEP_M);
         Some(Self {
             offshore_hs_m: mean(&edge, &|i| maps.hs_m[i]),
             highest_hs_m,
             highest_depth_m: mean(&highest, &|i| grid.depth_m[i]),
-            breaking_depth_m: step.map(|step| (step + 1) as f64 * DEPTH_STEP_M),
+            breaking_depth_m,
+            breaking_distance_m: breaking_depth_m.and_then(|depth_m| distance_to_shore_m(grid, depth_m)),
         })
     }
 }
 
+/// Distance from where the water is first `depth_m` deep or less, on the way from the sea, to the land behind it, m:
+/// the median of the rows of the grid. `None` if less than a quarter of the rows has both.
+fn distance_to_shore_m(grid: &Bathymetry, depth_m: f64) -> Option<f64> {
+    let in_row = |j: usize| {
+        let shallow = (0..grid.columns).find(|i| grid.at(*i, j) <= depth_m)?;
+        let land = (shallow..grid.columns).find(|i| grid.at(*i, j) <= 0.0)?;
+        (land > shallow).then(|| (land - shallow) as f64 * grid.cell_m)
+    };
+    let mut distances_m: Vec<f64> = (0..grid.rows).filter_map(in_row).collect();
+    distances_m.sort_by(f64::total_cmp);
+    (4 * distances_m.len() >= grid.rows).then(|| distances_m.get(distances_m.len() / 2).copied()).flatten()
+}
+
 impl PlacedGauge {
-    /// Adds a piece to the record, up to a minute ahead of the present `t_s` (s), and beyond until it is half an hour long.
-    /// `height(t)` is the height of the sea (m) at `place` (x, z; m) at time t (s).
+    /// Adds a piece to the record, up to a minute ahead of the present `t_s` (s), and beyond until it is half an hour
+    /// long. `height(t)` is the height of the sea (m) at `place` (x, z; m) at time t (s).
     fn advance(&mut self, t_s: f64, place: [f64; 2], height: impl Fn(f64) -> f64) {
         let ends = self.record.samples().front().zip(self.record.samples().back()).map(|(a, b)| [a[0], b[0]]);
         match ends {

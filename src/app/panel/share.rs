@@ -6,7 +6,21 @@ use super::super::opened_files::OPENABLE_FILES;
 use super::super::saved_picture::PictureSize;
 use super::super::{App, icons};
 use super::{button_with_help, text_field};
-use crate::app::language::tr;
+use crate::app::language::{text, tr};
+
+/// Messages after the copying of a link, and of HTML.
+const LINK_MESSAGES: [&str; 2] = [text!("Link copied."), text!("Link copied, with a line about the sea.")];
+const EMBEDDING_MESSAGES: [&str; 2] =
+    [text!("Frame copied: paste it into a page."), text!("Element copied: paste it into a page.")];
+
+/// Repeats the message over the sea beside the buttons that cause it, if it is one of `messages`: there the visitor
+/// looks.
+fn show_done(app: &App, messages: &[&str], ui: &mut egui::Ui) {
+    let shown = app.message.as_ref().map(|message| message.text.as_str());
+    if let Some(text) = shown.filter(|shown| messages.iter().any(|message| tr(message) == *shown)) {
+        ui.strong(text);
+    }
+}
 
 /// Adds the widgets of the tab.
 pub fn show_share_buttons(app: &mut App, ui: &mut egui::Ui) {
@@ -53,6 +67,7 @@ fn show_links(app: &mut App, ui: &mut egui::Ui) {
             app.copy_link_with_words();
         }
     });
+    show_done(app, &LINK_MESSAGES, ui);
     ui.weak(format!("\u{201c}{}: …\u{201d}", app.sea_in_words()));
     ui.label(tr("The address of the page is always the whole sea: send it, bookmark it, go back and forward."));
 }
@@ -138,4 +153,5 @@ fn show_embedding(app: &mut App, ui: &mut egui::Ui) {
             app.save_maps();
         }
     });
+    show_done(app, &EMBEDDING_MESSAGES, ui);
 }
