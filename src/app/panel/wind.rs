@@ -209,13 +209,16 @@ fn numbered_forces(distance: f32) -> (usize, usize) {
 /// Reads a typed wind speed in the shown unit `speed`, in another unit that is named, or as a force ("7 bft", "F7").
 fn parse_wind(text: &str, speed: UnitScale) -> Option<f64> {
     let lower = text.trim().to_lowercase();
-    let number = |word: &&str| lower.strip_suffix(*word).or_else(|| lower.strip_prefix(*word));
-    let Some(rest) = FORCE_WORDS.iter().find_map(number) else {
+    let without_word = |text: &str| -> Option<String> {
+        let rest = FORCE_WORDS.iter().find_map(|word| text.strip_suffix(word).or_else(|| text.strip_prefix(word)));
+        rest.map(|rest| rest.trim().to_owned())
+    };
+    let Some(rest) = without_word(&lower) else {
         return speed.parse(&lower);
     };
-    // "風力7級" has a word on both sides.
-    let rest = FORCE_WORDS.iter().find_map(|word| rest.trim().strip_prefix(word)).unwrap_or(rest);
-    let force: usize = rest.trim().parse().ok()?;
+    // Chinese has a word on both sides: "风力9级".
+    let rest = without_word(&rest).unwrap_or(rest);
+    let force: usize = rest.parse().ok()?;
     Some(BEAUFORT_FORCES.get(force)?.mean_wind_m_s * speed.factor)
 }
 
