@@ -89,7 +89,7 @@ fn type_into(harness: &mut Harness<'static, App>, field: &str, text: &str) {
 #[test]
 fn a_force_may_be_typed_into_the_field_of_the_wind() {
     let mut harness = open("wind=8&n=64&pause=1", [900.0, 1500.0]);
-    for (text, wind_m_s) in [("F9", 22.6), ("force 4", 6.7), ("風力7", 15.5), ("12", 12.0)] {
+    for (text, wind_m_s) in [("F9", 22.6), ("force 4", 6.7), ("Stärke 7", 15.5), ("12", 12.0)] {
         type_into(&mut harness, "Wind speed", text);
         assert_eq!(params(&harness).sea.first_system().wind_m_s, wind_m_s, "{text}");
     }
