@@ -14,6 +14,8 @@ use crate::state::presets;
 const GROWTH_TO_TELL: f64 = 1.05;
 /// Ratio of the arriving waves to those of the sea below which it is told that others run elsewhere.
 const SHARE_TO_TELL: f64 = 0.9;
+/// Ratio of the arriving waves to those of the sea below which nothing else is worth telling.
+const SHARE_TO_COUNT: f64 = 0.05;
 
 /// Effects of a coast on waves, such as shoaling: the name of each, its explanation, and the named sea that shows it.
 const EFFECTS: [(&str, &str, &str); 6] = [
@@ -112,6 +114,9 @@ fn show_effect(app: &App, ui: &mut egui::Ui) {
 fn effect_in_words(effect: &CoastEffect, hs_m: f64, scale: UnitScale) -> String {
     let metres = |m: f64| scale.format(m, 1);
     let (arriving, highest) = (effect.offshore_hs_m, metres(effect.highest_hs_m));
+    if arriving < SHARE_TO_COUNT * hs_m {
+        return say!("Hardly any of your {height} waves run towards this coast.", height = metres(hs_m));
+    }
     let grow = effect.highest_hs_m >= GROWTH_TO_TELL * arriving;
     let come = if arriving >= SHARE_TO_TELL * hs_m {
         let height = metres(hs_m);
@@ -211,6 +216,8 @@ mod tests {
             "Of your 2.2 m waves, 1.5 m run towards this coast. They grow to 2.6 m. They begin to break \
              in 4.2 m of water."
         );
+        let away = CoastEffect { offshore_hs_m: 0.04, ..effect };
+        assert_eq!(effect_in_words(&away, 2.2, metric), "Hardly any of your 2.2 m waves run towards this coast.");
         let feet = UnitScale::for_unit("m", Units::Nautical);
         assert_eq!([rounded_distance(88.0, feet), rounded_distance(7.2, metric)], ["290 ft", "7 m"]);
     }
