@@ -2,11 +2,11 @@
 
 use super::super::App;
 use super::super::coast::COAST_NAMES;
-use super::super::coast_maps::CoastEffect;
 use super::super::units::UnitScale;
 use super::{button_with_help, coast_map, rows};
 use crate::app::language::{say, text, tr};
 use crate::coast::built_in::BuiltInCoast;
+use crate::coast::effect::CoastEffect;
 use crate::state::coast::CoastName;
 use crate::state::presets;
 

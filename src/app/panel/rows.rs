@@ -2,10 +2,10 @@
 
 use super::super::accessible_names::with_accessible_name;
 use super::super::units::{UnitScale, round_to_significant_digits};
-use super::{sun, touch};
+use super::touch;
 use crate::app::language::{local_number, say, tr};
-use crate::state::Params;
 use crate::state::fields::{Field, FieldKind, Group, InvalidValue};
+use crate::state::{Params, day_words};
 
 /// Whether a search for `words` finds a parameter: each word, or another word for the same thing, occurs in its label,
 /// key, group or help text, in upper or lower case.
@@ -257,7 +257,7 @@ fn with_unit_and_zero_word<'a>(
             if zero {
                 Some(0.0)
             } else {
-                sun::typed_value(field.key, text, &params.look.sky).or_else(|| scale.parse(text))
+                day_words::typed_value(field.key, text, &params.look.sky).or_else(|| scale.parse(text))
             }
         })
 }

@@ -13,13 +13,11 @@ const LINK_MESSAGES: [&str; 2] = [text!("Link copied."), text!("Link copied, wit
 const EMBEDDING_MESSAGES: [&str; 2] =
     [text!("Frame copied: paste it into a page."), text!("Element copied: paste it into a page.")];
 
-/// Repeats the message over the sea beside the buttons that cause it, if it is one of `messages`: there the visitor
-/// looks.
-fn show_done(app: &App, messages: &[&str], ui: &mut egui::Ui) {
-    let shown = app.message.as_ref().map(|message| message.text.as_str());
-    if let Some(text) = shown.filter(|shown| messages.iter().any(|message| tr(message) == *shown)) {
-        ui.strong(text);
-    }
+/// The message over the sea, if it is one of `messages`: the panel repeats it beside the buttons that cause it, where
+/// the visitor looks.
+fn done_in_words(app: &App, messages: &[&str]) -> Option<String> {
+    let shown = &app.message.as_ref()?.text;
+    messages.iter().any(|message| tr(message) == shown).then(|| shown.clone())
 }
 
 /// Adds the widgets of the tab.
@@ -67,8 +65,15 @@ fn show_links(app: &mut App, ui: &mut egui::Ui) {
             app.copy_link_with_words();
         }
     });
-    show_done(app, &LINK_MESSAGES, ui);
-    ui.weak(format!("\u{201c}{}: …\u{201d}", app.sea_in_words()));
+    // The message takes the place of this line, and no row moves under the pointer.
+    let words = egui::RichText::new(format!("\u{201c}{}: …\u{201d}", app.sea_in_words())).weak();
+    let done = done_in_words(app, &LINK_MESSAGES).map(|text| egui::RichText::new(text).strong());
+    let sizes =
+        egui::WidgetText::from(words.clone()).into_galley(ui, None, ui.available_width(), egui::TextStyle::Body);
+    ui.scope(|ui| {
+        ui.set_min_height(sizes.size().y);
+        ui.label(done.unwrap_or(words));
+    });
     ui.label(tr("The address of the page is always the whole sea: send it, bookmark it, go back and forward."));
 }
 
@@ -153,5 +158,7 @@ fn show_embedding(app: &mut App, ui: &mut egui::Ui) {
             app.save_maps();
         }
     });
-    show_done(app, &EMBEDDING_MESSAGES, ui);
+    if let Some(text) = done_in_words(app, &EMBEDDING_MESSAGES) {
+        ui.strong(text);
+    }
 }

@@ -51,9 +51,11 @@ fn show_entry(ui: &mut Ui, name: &str, colour: Color32, sample: Sample) {
     let (painter, y, stroke) = (ui.painter(), rect.center().y, Stroke::new(2.0, colour));
     let ends = [pos2(rect.left(), y), pos2(rect.left() + sample_width, y)];
     match sample {
-        Sample::Line => drop(painter.line_segment(ends, stroke)),
-        Sample::Dashed => drop(painter.extend(egui::Shape::dashed_line(&ends, stroke, 6.0, 4.0))),
-        Sample::Dotted => drop(painter.extend(egui::Shape::dotted_line(&ends, colour, 5.0, 1.2))),
+        Sample::Line => {
+            painter.line_segment(ends, stroke);
+        }
+        Sample::Dashed => painter.extend(egui::Shape::dashed_line(&ends, stroke, 6.0, 4.0)),
+        Sample::Dotted => painter.extend(egui::Shape::dotted_line(&ends, colour, 5.0, 1.2)),
         Sample::Bars => {
             let bar = egui::Rect::from_min_max(ends[0] - vec2(0.0, 5.0), ends[1] + vec2(0.0, 5.0));
             painter.rect_filled(bar, 1.0, colour);
