@@ -54,6 +54,12 @@ fn records_of_the_drawn_sea_have_the_height_of_the_map() {
     assert!(drawn[1] < 0.6 * open, "waves break before the second gauge: {drawn:?} {open}");
 }
 
+/// The number that follows `before` in `words`, up to a space.
+fn number_after(words: &str, before: &str) -> f64 {
+    let at = words.split(before).nth(1).expect(words);
+    at.split(' ').next().and_then(|number| number.parse().ok()).expect(at)
+}
+
 /// A window in which the tab of the weather has room to its end.
 const SIZE: [f32; 2] = [900.0, 2200.0];
 const SEA: &str = "coast=beach&depth=12&hs=1.5&tp=9&dir=255&n=64&pause=1&mesh=0.1&renderscale=0.25";
@@ -108,10 +114,6 @@ fn the_map_is_shown_and_its_gauges_tell_the_same_sea() {
     // `seastate coast` finds 4 % of the waves breaking in 2.5 m, and 9 % in 1.7 m. The drawn waves are 3 % higher.
     let words = harness.get_by_label_contains("waves grow to 1.7 m on their way ashore.").accesskit_node().value();
     let words = words.expect("words");
-    let number_after = |words: &str, before: &str| -> f64 {
-        let at = words.split(before).nth(1).expect(words);
-        at.split(' ').next().and_then(|number| number.parse().ok()).expect(at)
-    };
     assert_eq!(number_after(&words, "Your "), 1.5, "{words}");
     let depth_m = number_after(&words, " off the shore, in ");
     assert!((1.7..2.9).contains(&depth_m), "{words}");
