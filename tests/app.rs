@@ -87,7 +87,9 @@ fn wave_systems_are_added_and_removed() {
     harness.state_mut().set_state("n=64&pause=1&hs3=2");
     harness.run_steps(3);
     harness.get_by_label("Third system");
-    harness.get_by_label("the third wave system is off: set scale3 to switch it on");
+    harness.get_by_label("Switched off: second swell.");
+    click(&mut harness, "Switch on: second swell");
+    assert_eq!(harness.state().state(), "scale3=1&hs3=2&pause=1&n=64");
     assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }
 

@@ -1,5 +1,5 @@
-//! The map of the coast and its gauges: the records of the drawn sea against the statistics of its transfer, and the panel
-//! under egui_kittest, which shows the map, places gauges and saves files.
+//! The map of the coast and its gauges: the records of the drawn sea against the statistics of its transfer, and the
+//! panel under egui_kittest, which shows the map, places gauges and saves files.
 
 mod common;
 
@@ -54,6 +54,12 @@ fn records_of_the_drawn_sea_have_the_height_of_the_map() {
     assert!(drawn[1] < 0.6 * open, "waves break before the second gauge: {drawn:?} {open}");
 }
 
+/// The number that follows `before` in `words`, up to a space.
+fn number_after(words: &str, before: &str) -> f64 {
+    let at = words.split(before).nth(1).expect(words);
+    at.split(' ').next().and_then(|number| number.parse().ok()).expect(at)
+}
+
 /// A window in which the tab of the weather has room to its end.
 const SIZE: [f32; 2] = [900.0, 2200.0];
 const SEA: &str = "coast=beach&depth=12&hs=1.5&tp=9&dir=255&n=64&pause=1&mesh=0.1&renderscale=0.25";
@@ -106,12 +112,16 @@ fn the_map_is_shown_and_its_gauges_tell_the_same_sea() {
     harness.state_mut().set_save_folder(folder.clone());
     run_until(&mut harness, "the map", |h| h.query_by_label("Map: Wave height").is_some());
     // `seastate coast` finds 4 % of the waves breaking in 2.5 m, and 9 % in 1.7 m. The drawn waves are 3 % higher.
-    let words =
-        harness.get_by_label_contains("Waves come in 1.5 m high. They are highest, 1.7 m,").accesskit_node().value();
+    let words = harness.get_by_label_contains("waves grow to 1.7 m on their way ashore.").accesskit_node().value();
     let words = words.expect("words");
-    let at = words.split("They begin to break in ").nth(1).expect(&words);
-    let depth_m: f64 = at.split(' ').next().and_then(|number| number.parse().ok()).expect(at);
+    assert_eq!(number_after(&words, "Your "), 1.5, "{words}");
+    let depth_m = number_after(&words, " off the shore, in ");
     assert!((1.7..2.9).contains(&depth_m), "{words}");
+    // Dean's profile of the beach is 0.1 (x/m)^(2/3) m deep at the distance x from the shore. The depth is told in
+    // steps of 0.25 m, which are 15 % of the distance.
+    let distance_m = number_after(&words, "They begin to break about ");
+    let by_profile_m = (depth_m / 0.1).powf(1.5);
+    assert!((distance_m / by_profile_m - 1.0).abs() < 0.25, "{words} {by_profile_m}");
     harness.render().expect("a picture").save(pictures().join("map-height.png")).expect("a file");
     // Land is at the top: no gauge there.
     let map = harness.get_by_label("Map: Wave height").rect();

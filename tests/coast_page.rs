@@ -1,5 +1,5 @@
-//! Coasts in the app under egui_kittest on a software adapter: chosen in the panel, opened from files, solved beside the
-//! running sea.
+//! Coasts in the app under egui_kittest on a software adapter: chosen in the panel, opened from files, solved beside
+//! the running sea.
 
 mod common;
 
@@ -73,7 +73,7 @@ fn beach_grid() -> String {
 
 #[test]
 fn a_coast_of_the_panel_is_chosen_solved_and_undone() {
-    let mut harness = open(SEA);
+    let mut harness = open(&format!("{SEA}&scale2=1&hs2=1&tp2=9&dir2=240"));
     let before = harness.state().state();
     harness.get_by_role_and_label(egui::accesskit::Role::ComboBox, "Coast").click();
     harness.run_steps(3);
@@ -83,11 +83,20 @@ fn a_coast_of_the_panel_is_chosen_solved_and_undone() {
     assert_eq!((now.coast.name, now.sea.depth_m), (CoastName::Bar, 11.4));
     assert!(now.camera.x_m.hypot(now.camera.z_m) > 100.0, "the camera is before the shore: {:?}", now.camera);
     harness.get_by_label_contains("A sand bar along a beach");
-    // In the panel, and over the sea.
-    assert_eq!(harness.query_all_by_label_contains("Waves find their way ashore").count(), 2);
+    // What has changed with the coast is told, and how far its waves are, once.
+    harness
+        .get_by_label("Bar and channel: the water is 11.4 m deep instead of 4000 m, and you stand before the shore.");
+    assert_eq!(harness.query_all_by_label_contains("Waves find their way ashore").count(), 1);
     assert!(!harness.state().is_picture_complete());
     solve(&mut harness);
     assert!(harness.query_by_label_contains("Waves find their way ashore").is_none());
+    for _ in 0..400 {
+        harness.run_steps(1);
+        if harness.query_by_label_contains("They begin to break about").is_some() {
+            break;
+        }
+    }
+    harness.get_by_label_contains("They begin to break about");
     // A sea that jumps where the coast begins is told, and mended by one click.
     assert!(harness.query_by_label_contains("the waves jump").is_none());
     let deep = harness.state().state().replace("depth=11.4", "depth=40");
@@ -103,6 +112,29 @@ fn a_coast_of_the_panel_is_chosen_solved_and_undone() {
         harness.run_steps(2);
     }
     assert_eq!(harness.state().state(), before);
+}
+
+/// The message about the new coast has a button that takes back all that came with it.
+#[test]
+fn the_message_about_a_coast_takes_it_back() {
+    let mut harness = open(SEA);
+    let before = harness.state().state();
+    harness.get_by_role_and_label(egui::accesskit::Role::ComboBox, "Coast").click();
+    harness.run_steps(3);
+    harness.get_by_label("Straight beach").click();
+    // The history takes a change as a step once it has rested for 0.4 s.
+    harness.run_steps(40);
+    assert_ne!(harness.state().state(), before);
+    harness.get_by_label("Back to the sea before").click();
+    harness.run_steps(3);
+    assert_eq!(harness.state().state(), before);
+    assert!(harness.query_by_label("Back to the sea before").is_none());
+    // Going back is itself a step of the history.
+    harness.run_steps(40);
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+    harness.run_steps(2);
+    assert_eq!(params(&harness).coast.name, CoastName::Beach);
+    assert!(harness.state().errors().is_empty(), "{:?}", harness.state().errors());
 }
 
 #[test]

@@ -32,7 +32,7 @@ const TOUCH_POINTS: f32 = 2.0;
 
 /// The sentence about a spectrum.
 const ENERGY_BY_PERIOD: &str =
-    "Energy by wave period: each peak is one group of waves, long waves at the left, short ones at the right.";
+    "Energy by wave period, m²/Hz: each peak is one group of waves, long waves at the left, short ones at the right.";
 
 /// The visible texts of a frame: each with its bounds and the rectangle to which it is clipped.
 fn texts(shapes: &[ClippedShape]) -> Vec<(String, egui::Rect, egui::Rect)> {
@@ -74,8 +74,8 @@ fn faults(shapes: &[ClippedShape], window: egui::Rect) -> Vec<String> {
     faults
 }
 
-/// What is wrong with the place of a wide window's panel: its end must not lie below the window's, because what is there
-/// cannot be scrolled to.
+/// What is wrong with the place of a wide window's panel: its end must not lie below the window's, because what is
+/// there cannot be scrolled to.
 fn panel_outside(harness: &Harness<'static, App>) -> Option<String> {
     let window = harness.ctx.content_rect();
     let panel = harness.ctx.memory(|m| m.area_rect(egui::Id::unique("panel")))?;
@@ -255,8 +255,8 @@ fn the_safe_area_keeps_text_away_from_the_edges() {
     }
 }
 
-/// The map of a coast with a gauge and its plots, in windows as wide as a phone and as a screen, and high enough to show all
-/// of it, in every language.
+/// The map of a coast with a gauge and its plots, in windows as wide as a phone and as a screen, and high enough to
+/// show all of it, in every language.
 #[test]
 fn the_map_of_the_coast_is_not_cut() {
     let sea = "coast=beach&depth=12&hs=1.5&tp=9&dir=255&n=64&pause=1&mesh=0.1&renderscale=0.25";

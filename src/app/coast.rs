@@ -2,6 +2,7 @@
 
 use super::App;
 use super::coast_maps::CoastMaps;
+use super::message::PlaceBefore;
 use crate::app::language::{say, text, tr};
 use crate::coast::placed::PlacedCoast;
 use crate::coast::transfer::TransferSolver;
@@ -119,9 +120,34 @@ impl App {
         let mut coast = Coast { name, ..Coast::default() };
         coast.adopt_file(self.coast.file.as_ref());
         match PlacedCoast::of_state(&coast, None) {
-            Ok(land) => self.go_to_coast(coast, land.as_ref()),
+            Ok(land) => {
+                let params = &self.params;
+                let (coast_before, camera) = (params.coast.clone(), params.camera.clone());
+                let before = PlaceBefore { coast: coast_before, depth_m: params.sea.depth_m, camera };
+                self.go_to_coast(coast, land.as_ref());
+                self.tell_coast(before);
+            }
             Err(reason) => self.notices = vec![reason],
         }
+    }
+
+    /// Says what else has changed with the coast, and offers to take all of it back.
+    fn tell_coast(&mut self, before: PlaceBefore) {
+        let scale = self.length_scale();
+        let depth = |m: f64| scale.format(m, usize::from(m < 100.0));
+        let (depth_m, coast) = (self.params.sea.depth_m, self.coast_in_words());
+        let (now, then) = (depth(depth_m), depth(before.depth_m));
+        let text = match coast {
+            Some(coast) if now != then => say!(
+                "{coast}: the water is {now} deep instead of {then}, and you stand before the shore.",
+                coast = coast,
+                now = now,
+                then = then
+            ),
+            Some(coast) => say!("{coast}: you stand before the shore.", coast = coast),
+            None => say!("Open sea: the water is {now} deep.", now = now),
+        };
+        self.show_message_with_undo(text, before);
     }
 
     fn go_to_coast(&mut self, coast: Coast, land: Option<&PlacedCoast>) {

@@ -1,11 +1,13 @@
-//! Maps of the waves of the drawn sea near a coast, and the gauges that the user places there. Both are computed in slices of a frame while the panel shows them, and saved as files.
+//! Maps of the waves of the drawn sea near a coast, and the gauges that the user places there. Both are computed in
+//! slices of a frame while the panel shows them, and saved as files.
 
 use super::App;
 use super::language::text;
 use crate::coast::Transfer;
+use crate::coast::effect::CoastEffect;
 use crate::coast::fields_file::CoastFields;
 use crate::coast::gauges::{Gauge, Gauges};
-use crate::coast::sea_maps::{bearing_from_deg, usual_largest};
+use crate::coast::sea_maps::bearing_from_deg;
 use crate::coast::transfer::{StatisticsSolver, TransferStatistics};
 use crate::ocean::coast_task::CoastKey;
 use crate::point::buoy_record::BuoyRecord;
@@ -64,6 +66,7 @@ pub struct CoastMaps {
     of: Option<(Arc<Transfer>, CoastKey)>,
     solver: Option<(StatisticsSolver, f64)>,
     statistics: Option<Arc<TransferStatistics>>,
+    effect: Option<CoastEffect>,
 }
 
 /// A gauge on the coast.
@@ -81,6 +84,11 @@ impl CoastMaps {
     /// The maps; `None` in the open sea, and until they are computed.
     pub fn statistics(&self) -> Option<&Arc<TransferStatistics>> {
         self.statistics.as_ref()
+    }
+
+    /// How the coast changes the waves; `None` in the open sea, and until the maps are computed.
+    pub fn effect(&self) -> Option<&CoastEffect> {
+        self.effect.as_ref()
     }
 
     /// Fraction of the maps that is computed, while they are.
@@ -133,12 +141,14 @@ impl CoastMaps {
             self.solver = Some((solver, done));
             return true;
         }
-        self.statistics = Some(Arc::new(solver.finish()));
+        let statistics = solver.finish();
+        self.effect = CoastEffect::new(&statistics);
+        self.statistics = Some(Arc::new(statistics));
         false
     }
 
-    /// The gauges with their spectra. `density` is the variance density of the open sea, m^2 s, at an angular frequency,
-    /// rad/s.
+    /// The gauges with their spectra. `density` is the variance density of the open sea, m^2 s, at an angular
+    /// frequency, rad/s.
     pub fn gauges(&self, density: impl Fn(f64) -> f64) -> Option<Gauges> {
         let statistics = self.statistics.as_ref()?;
         let mut out = Gauges::default();
@@ -175,63 +185,9 @@ pub fn toward_deg(statistics: &TransferStatistics) -> f64 {
     (statistics.transfer().placement.turn_rad.to_degrees() + 90.0).rem_euclid(360.0)
 }
 
-/// How a coast changes the waves: the numbers of the sentence above its map.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CoastEffect {
-    /// Mean significant wave height at the seaward edge, m.
-    pub offshore_hs_m: f64,
-    /// Significant wave height that only one wet point in 200 exceeds, m.
-    pub highest_hs_m: f64,
-    /// Mean depth of the points that exceed it, m.
-    pub highest_depth_m: f64,
-    /// Depth in which one wave in twenty breaks, on the way from the sea, m; `None` if they break nowhere.
-    pub breaking_depth_m: Option<f64>,
-}
-
-/// Step of the depths at which breaking is looked for, m.
-const DEPTH_STEP_M: f64 = 0.25;
-/// Significant wave height in depths from which waves are said to break. One wave in twenty breaks there: its root mean
-/// square is 0.56 of the largest height, 0.73 depths (Battjes and Janssen 1978).
-const BREAKING_BEGINS: f64 = 0.58;
-
-impl CoastEffect {
-    /// Reads the numbers off the maps; `None` without water at the seaward edge.
-    pub fn new(statistics: &TransferStatistics) -> Option<Self> {
-        let (grid, maps) = (&statistics.bathymetry, &statistics.maps);
-        let index = |[i, j]: [usize; 2]| j * grid.columns + i;
-        let edge: Vec<usize> = (0..grid.rows).map(|j| index([0, j])).filter(|i| grid.depth_m[*i] > 0.0).collect();
-        let mean = |points: &[usize], value: &dyn Fn(usize) -> f32| {
-            points.iter().map(|i| f64::from(value(*i))).sum::<f64>() / points.len() as f64
-        };
-        if edge.is_empty() {
-            return None;
-        }
-        let highest_hs_m = usual_largest(&maps.hs_m);
-        let (mut highest, mut heights_in_depths) = (Vec::new(), Vec::<(f64, f64)>::new());
-        for (i, depth_m) in grid.depth_m.iter().map(|depth_m| f64::from(*depth_m)).enumerate() {
-            if depth_m > 0.0 {
-                let (hs_m, step) = (f64::from(maps.hs_m[i]), (depth_m / DEPTH_STEP_M) as usize);
-                heights_in_depths.resize(heights_in_depths.len().max(step + 1), (0.0, 0.0));
-                let (sum, count) = heights_in_depths[step];
-                heights_in_depths[step] = (sum + hs_m / depth_m, count + 1.0);
-                if hs_m >= highest_hs_m {
-                    highest.push(i);
-                }
-            }
-        }
-        let step = heights_in_depths.iter().rposition(|(sum, count)| *sum > BREAKING_BEGINS * count);
-        Some(Self {
-            offshore_hs_m: mean(&edge, &|i| maps.hs_m[i]),
-            highest_hs_m,
-            highest_depth_m: mean(&highest, &|i| grid.depth_m[i]),
-            breaking_depth_m: step.map(|step| (step + 1) as f64 * DEPTH_STEP_M),
-        })
-    }
-}
-
 impl PlacedGauge {
-    /// Adds a piece to the record, up to a minute ahead of the present `t_s` (s), and beyond until it is half an hour long.
-    /// `height(t)` is the height of the sea (m) at `place` (x, z; m) at time t (s).
+    /// Adds a piece to the record, up to a minute ahead of the present `t_s` (s), and beyond until it is half an hour
+    /// long. `height(t)` is the height of the sea (m) at `place` (x, z; m) at time t (s).
     fn advance(&mut self, t_s: f64, place: [f64; 2], height: impl Fn(f64) -> f64) {
         let ends = self.record.samples().front().zip(self.record.samples().back()).map(|(a, b)| [a[0], b[0]]);
         match ends {

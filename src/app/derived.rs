@@ -47,6 +47,8 @@ pub struct SystemSize {
     pub hs_m: f64,
     /// Wavelength at the peak of the system's spectrum, m.
     pub length_m: f64,
+    /// Period at the peak of the system's spectrum, s.
+    pub period_s: f64,
 }
 
 impl SystemSize {
@@ -55,6 +57,7 @@ impl SystemSize {
             number: system.number,
             hs_m: 4.0 * system.spectrum.variance_m2().sqrt(),
             length_m: TAU / plan.dispersion.wave_number(system.spectrum.omega_p),
+            period_s: TAU / system.spectrum.omega_p,
         }
     }
 }

@@ -26,7 +26,7 @@ pub const KEYBOARD_HELP: &[(&str, &str)] = &[
     (text!("P"), text!("save a picture that remembers its sea")),
     (text!("Ctrl+Z, Ctrl+Y"), text!("undo and redo (Cmd on a Mac)")),
     (text!("F1 or ?"), text!("this list")),
-    (text!("Escape"), text!("close this list, leave a view; then close the window")),
+    (text!("Escape"), text!("close this list, or leave a view; in the desktop program then quit")),
 ];
 
 /// Shows the help window with the keyboard shortcuts while `open` is true. Closing the window sets `open` to false.

@@ -1,10 +1,14 @@
 //! The short message that appears over the sea, such as "Link copied."
 
+use super::accessible_names::with_accessible_name;
 use super::{App, panel};
 use crate::app::language::tr;
-use crate::state::params::Interface;
+use crate::state::coast::Coast;
+use crate::state::params::{Camera, Interface};
 use std::time::Duration;
 
+/// Least time for which a message with a button stays visible, s.
+const BUTTON_DURATION_S: f64 = 10.0;
 /// Least time for which a message stays visible, s.
 const MESSAGE_DURATION_S: f64 = 4.0;
 /// Time in which one letter of a message is read at leisure, s.
@@ -20,12 +24,28 @@ pub struct Message {
     pub text: String,
     /// Time at which the message disappears, s on egui's clock. The first frame that shows the message sets it.
     end_s: Option<f64>,
+    /// What a button beside the message brings back.
+    undo: Option<Box<PlaceBefore>>,
+}
+
+/// Where the sea was before another coast was chosen.
+#[derive(Clone)]
+pub struct PlaceBefore {
+    pub coast: Coast,
+    pub depth_m: f64,
+    pub camera: Camera,
 }
 
 impl App {
     /// Shows a message over the sea for a few seconds.
     pub(super) fn show_brief_message(&mut self, text: &str) {
-        self.message = Some(Message { text: text.to_owned(), end_s: None });
+        self.message = Some(Message { text: text.to_owned(), end_s: None, undo: None });
+        self.ctx.request_repaint();
+    }
+
+    /// Shows a message over the sea with a button that returns to `before`.
+    pub(super) fn show_message_with_undo(&mut self, text: String, before: PlaceBefore) {
+        self.message = Some(Message { text, end_s: None, undo: Some(Box::new(before)) });
         self.ctx.request_repaint();
     }
 
@@ -49,18 +69,32 @@ impl App {
         let (area, free) = (self.area("said", ctx), self.part_for_messages(ctx));
         let Some(message) = &mut self.message else { return };
         let now_s = ctx.input(|i| i.time);
-        let duration_s = MESSAGE_DURATION_S.max(LETTER_DURATION_S * message.text.chars().count() as f64);
+        let least_s = if message.undo.is_some() { BUTTON_DURATION_S } else { MESSAGE_DURATION_S };
+        let duration_s = least_s.max(LETTER_DURATION_S * message.text.chars().count() as f64);
         let end_s = *message.end_s.get_or_insert(now_s + duration_s);
         if now_s > end_s {
             self.message = None;
             return;
         }
         ctx.request_repaint_after(Duration::from_secs_f64(end_s - now_s));
-        area.interactable(false).show(ctx, |ui| {
+        let has_button = message.undo.is_some();
+        let shown = area.interactable(has_button).show(ctx, |ui| {
             ui.set_max_width((free.width() - 24.0).clamp(80.0, MAX_WIDTH_POINTS));
             let label = egui::Label::new(&message.text).wrap();
-            egui::Frame::window(ui.style()).show(ui, |ui| ui.add(label));
+            let frame = egui::Frame::window(ui.style()).show(ui, |ui| {
+                ui.add(label);
+                has_button && with_accessible_name(ui.button(tr("Undo")), tr("Back to the sea before")).clicked()
+            });
+            frame.inner
         });
+        if shown.inner
+            && let Some(before) = self.message.take().and_then(|message| message.undo)
+        {
+            self.params.coast = before.coast;
+            self.params.sea.depth_m = before.depth_m;
+            self.params.camera = before.camera;
+            self.restarts_foam = true;
+        }
     }
 
     /// The part of the window in which messages appear: the sea that neither a panel nor a hint at its lower edge

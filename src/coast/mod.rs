@@ -12,6 +12,7 @@ pub mod bathymetry;
 pub mod breaking;
 pub mod built_in;
 pub mod complex;
+pub mod effect;
 pub mod elliptic;
 pub mod field;
 #[cfg(feature = "files")]

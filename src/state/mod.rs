@@ -2,6 +2,7 @@
 
 pub mod camera;
 pub mod coast;
+pub mod day_words;
 mod field;
 pub mod fields;
 pub mod floats;

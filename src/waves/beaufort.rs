@@ -75,10 +75,49 @@ pub static BEAUFORT_FORCES: [BeaufortForce; 13] = [
         "Air full of foam and spray, the sea wholly white with driving spray; hardly anything can be seen."),
 ];
 
+/// Words for a force on the Beaufort scale before or after its number, in the languages of the interface, in lower
+/// case. A longer word stands before those that it contains.
+const FORCE_WORDS: [&str; 14] = [
+    "beaufort",
+    "windstärke",
+    "stärke",
+    "force",
+    "fuerza",
+    "força",
+    "forca",
+    "bft",
+    "風力",
+    "风力",
+    "級",
+    "级",
+    "f",
+    "b",
+];
+
 /// Beaufort number (0 to 12) of a wind speed at 10 m height, m/s. A speed in the gap of 0.1 m/s between two forces
 /// counts as the lower force; negative values and NaN count as 0.
 pub fn beaufort_number(wind_m_s: f64) -> usize {
     BEAUFORT_FORCES.iter().rposition(|f| wind_m_s >= f.wind_m_s.0).unwrap_or(0)
+}
+
+/// The text without a word for a force, if it has one at its beginning or end.
+fn without_force_word(text: &str) -> Option<&str> {
+    let strip = |word: &&str| text.strip_suffix(*word).or_else(|| text.strip_prefix(*word));
+    FORCE_WORDS.iter().find_map(strip).map(str::trim)
+}
+
+/// Whether a text in lower case names a force on the Beaufort scale, and no speed.
+pub fn names_force(text: &str) -> bool {
+    without_force_word(text.trim()).is_some()
+}
+
+/// The Beaufort number in a text in lower case such as `7 bft`, `f7`, `windstärke 7` or `风力7级`; `None` if it has none
+/// from 0 to 12.
+pub fn parse_force(text: &str) -> Option<usize> {
+    let rest = without_force_word(text.trim())?;
+    // Chinese has a word on both sides.
+    let number = without_force_word(rest).unwrap_or(rest);
+    number.parse().ok().filter(|force| *force < BEAUFORT_FORCES.len())
 }
 
 impl BeaufortForce {
@@ -119,6 +158,22 @@ pub fn sea_state(hs_m: f64) -> (u8, &'static str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_force_is_read_in_every_language() {
+        for text in
+            ["7 bft", "f7", "f 7", "force 7", "7 beaufort", "bft7", "b7", "windstärke 7", "stärke 7", "fuerza 7"]
+        {
+            assert_eq!(parse_force(text), Some(7), "{text}");
+        }
+        for text in ["força 9", "風力9", "风力9级", "9级", "風力 9"] {
+            assert_eq!(parse_force(text), Some(9), "{text}");
+        }
+        for text in ["13 bft", "x", "f", "force", "f-1", "7.5 bft", "12"] {
+            assert_eq!(parse_force(text), None, "{text}");
+        }
+        assert!(names_force("f99") && !names_force("12 m/s") && !names_force("25 kn"));
+    }
     use crate::state::{fields, query};
     use crate::waves::Plan;
     use crate::waves::statistics::SpectrumStatistics;

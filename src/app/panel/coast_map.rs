@@ -2,7 +2,7 @@
 //! waves' direction, the camera, and the gauges. The land is at the top, as one sees it from the sea.
 
 use super::super::App;
-use super::super::coast_maps::{CoastEffect, Quantity, sea_at, toward_deg};
+use super::super::coast_maps::{Quantity, sea_at, toward_deg};
 use super::super::plots::gauge::in_words;
 use super::super::plots::polar::cividis;
 use super::super::units::UnitScale;
@@ -34,7 +34,6 @@ pub struct MapPicture {
     contours: Vec<[Pos2; 2]>,
     /// Numbers at the contours.
     numbers: Vec<(Pos2, String)>,
-    effect: Option<CoastEffect>,
 }
 
 /// The map on the screen.
@@ -51,16 +50,10 @@ pub fn show_map(app: &mut App, ui: &mut egui::Ui) {
             ui.selectable_value(&mut app.coast.maps.quantity, quantity, tr(name));
         }
     });
-    if let Some(done) = app.coast.maps.progress() {
-        ui.label(say!("The map is being made: {percent} %", percent = (100.0 * done).floor()));
-    }
     let Some(statistics) = app.coast.maps.statistics().cloned() else { return };
     let of = (statistics.clone(), app.coast.maps.quantity, app.length_scale());
     let is_same = |p: &MapPicture| Arc::ptr_eq(&p.of.0, &of.0) && (p.of.1, p.of.2) == (of.1, of.2);
     let picture = app.panel.coast_map.take().filter(is_same).unwrap_or_else(|| MapPicture::new(of, ui.ctx()));
-    if let Some(effect) = &picture.effect {
-        ui.label(effect_in_words(effect, app.length_scale()));
-    }
     let sides = [statistics.bathymetry.rows, statistics.bathymetry.columns].map(|count| (count - 1) as f32);
     let width = ui.available_width().min(MAX_HEIGHT_POINTS * sides[0] / sides[1]);
     let (rect, response) = ui.allocate_exact_size(vec2(width, width * sides[1] / sides[0]), egui::Sense::click());
@@ -82,23 +75,6 @@ pub fn show_map(app: &mut App, ui: &mut egui::Ui) {
     }
     app.panel.coast_map = Some(picture);
     gauges::show_gauges(app, ui);
-}
-
-/// One or two sentences: how high the waves arrive, where they are highest, and where they begin to break.
-fn effect_in_words(effect: &CoastEffect, scale: UnitScale) -> String {
-    let height = |m: f64| scale.format(m, 1);
-    let words = say!(
-        "Waves come in {offshore} high. They are highest, {highest}, where the water is about {depth} deep.",
-        offshore = height(effect.offshore_hs_m),
-        highest = height(effect.highest_hs_m),
-        depth = height(effect.highest_depth_m)
-    );
-    match effect.breaking_depth_m {
-        Some(depth_m) => {
-            format!("{words} {}", say!("They begin to break in {depth} of water.", depth = height(depth_m)))
-        }
-        None => words,
-    }
 }
 
 impl MapPicture {
@@ -125,8 +101,7 @@ impl MapPicture {
         let image = egui::ColorImage::new([wide, high], pixels);
         let texture = ctx.load_texture("map of the coast", image, egui::TextureOptions::LINEAR);
         let (contours, numbers) = contours(statistics, scale.factor);
-        let effect = CoastEffect::new(statistics);
-        Self { of, texture, largest, contours, numbers, effect }
+        Self { of, texture, largest, contours, numbers }
     }
 
     /// Adds the bar of the colours with its numbers.

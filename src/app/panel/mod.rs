@@ -1,11 +1,13 @@
 //! The panel over the sea: tabs of named seas, weather, view, study and sharing. A wide window shows it at the right; a
 //! narrow one has a bar of tabs at the bottom, with a sheet above it.
 
+mod actions;
 mod chosen;
 mod coast;
 mod coast_map;
 mod gauges;
 mod handle;
+mod notes;
 mod numbers;
 mod place;
 mod rows;
@@ -21,15 +23,18 @@ pub mod time;
 pub mod touch;
 mod view;
 mod weather;
+mod wind;
 
 use super::accessible_names::with_accessible_name;
-use super::opened_files::OPENABLE_FILES;
 use super::saved_picture::PictureChoice;
-use super::{App, icons, notices};
+use super::{App, icons};
 use crate::app::language::tr;
-use crate::files::measured::SpectrumList;
+use crate::files::measured::{MeasuredSpectrum, SpectrumList};
 use crate::state::fields::Group;
+use std::sync::Arc;
 
+use actions::show_action_buttons;
+use notes::show_notices;
 pub use place::{Place, free_part};
 pub use seas::OwnSeas;
 pub use sheet::show_bottom_sheet;
@@ -47,14 +52,11 @@ pub const TOUCH_TARGET_POINTS: f32 = 44.0;
 const PANEL_WIDTH_POINTS: f32 = 366.0;
 /// Height of a tab's button, points.
 const TAB_HEIGHT_POINTS: f32 = 52.0;
-/// Height of the window, points, below which all of the panel but its tabs scrolls, as on a phone that lies on its side.
+/// Height of the window, points, below which all of the panel but its tabs scrolls, as on a phone that lies on its
+/// side.
 const SHORT_WINDOW_POINTS: f32 = 480.0;
 /// Least height of the part of the panel that scrolls, points.
 const MIN_SCROLL_POINTS: f32 = 40.0;
-/// Number of buttons of the most frequent actions.
-const ACTION_COUNT: f32 = 7.0;
-/// Distance of these buttons, points: narrow, so that seven of them are wide enough for fingers on a narrow phone.
-const ACTION_GAP_POINTS: f32 = 4.0;
 /// Largest number of characters that the panel's search field accepts.
 const MAX_TEXT_CHARS: usize = 100;
 
@@ -128,6 +130,12 @@ pub struct Panel {
     dragged_points: f32,
     /// Whether the next frame shows the times of a frame in the tab of study.
     shows_frame_times: bool,
+    /// Whether the visitor has asked for the line about frames over the sea of a narrow window.
+    shows_frame_line: bool,
+    /// Whether the last frame showed the sea in words over the sea.
+    summary_is_shown: bool,
+    /// The spectrum that was opened from a file, and its title: whence and when.
+    spectrum_title: Option<(Arc<MeasuredSpectrum>, String)>,
     /// The part of the window in which the sea was drawn last, points.
     pub sea: Option<egui::Rect>,
 }
@@ -222,8 +230,8 @@ pub fn show_panel(app: &mut App, ctx: &egui::Context) {
         }
         let frame = ui.style().spacing.window_margin.bottomf();
         let height = screen.bottom() - place::MARGIN_POINTS - frame - ui.cursor().top();
-        // Rows wider than the panel scroll sideways: it keeps its width, so that no row moves away from the pointer. Each tab
-        // stays where it was scrolled to.
+        // Rows wider than the panel scroll sideways: it keeps its width, so that no row moves away from the pointer.
+        // Each tab stays where it was scrolled to.
         let scroll = egui::ScrollArea::both().id_salt(tab).max_height(height.max(MIN_SCROLL_POINTS));
         let scroll = scroll.auto_shrink([false, true]);
         scroll.show(ui, |ui| {
@@ -314,68 +322,4 @@ fn text_field<T>(
         (ui.add(field.desired_width(f32::INFINITY)).labelled_by(label.id), right)
     })
     .inner
-}
-
-/// Adds the buttons of the most frequent actions: time, undo, redo, reset, another sea, opening a file, and help.
-fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
-    let total_width = ui.available_width();
-    let action = |ui: &mut egui::Ui, enabled: bool, icon: &str, name: &str, help: &str| {
-        let gaps = ACTION_GAP_POINTS * (ACTION_COUNT - 1.0);
-        let most = if is_narrow(ui.ctx()) { 80.0 } else { 40.0 };
-        let width = ((total_width - gaps) / ACTION_COUNT).min(most);
-        let size = egui::vec2(width, ui.spacing().interact_size.y.max(28.0));
-        let button = egui::Button::new(egui::RichText::new(icon).size(17.0)).frame_when_inactive(false).min_size(size);
-        ui.spacing_mut().button_padding.x = 0.0;
-        with_accessible_name(ui.add_enabled(enabled, button).on_hover_text(help), name).clicked()
-    };
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = ACTION_GAP_POINTS;
-        let clock = &mut app.params.clock;
-        let (icon, name) = if clock.paused { (icons::PLAY, tr("Play")) } else { (icons::PAUSE, tr("Pause")) };
-        if action(ui, true, icon, name, tr("Stops and starts the time (Space).")) {
-            clock.paused = !clock.paused;
-        }
-        let (can_undo, can_redo) = app.history.can_undo_redo(&app.params);
-        if action(ui, can_undo, icons::UNDO, tr("Undo"), tr("Undo (Ctrl+Z).")) {
-            app.history.undo(&mut app.params);
-        }
-        if action(ui, can_redo, icons::REDO, tr("Redo"), tr("Redo (Ctrl+Y).")) {
-            app.history.redo(&mut app.params);
-        }
-        if action(ui, true, icons::RESET, tr("Reset"), tr("Every value back to its default.")) {
-            let seed = app.params.sea.seed;
-            app.set_state("");
-            if app.panel.seed_locked {
-                app.params.sea.seed = seed;
-            }
-        }
-        if action(ui, true, icons::SURPRISE, tr("Surprise me"), tr("A random named sea.")) {
-            app.open_random_preset();
-        }
-        if action(ui, true, icons::OPEN, tr("Open a file"), tr(OPENABLE_FILES)) {
-            app.choose_files();
-        }
-        if action(ui, true, icons::HELP, tr("Keys and gestures"), tr("Keys and gestures (F1).")) {
-            app.help_is_open = !app.help_is_open;
-        }
-    });
-}
-
-fn show_notices(app: &App, ui: &mut egui::Ui) {
-    for text in &app.news {
-        ui.label(text);
-    }
-    let missing = app.params.look.sky.missing_file_notice();
-    let of_coast = app.coast_notices();
-    // Notices of the plan tell how the waves were computed, such as a limit by the depth. They are no warnings, so they
-    // have a neutral colour.
-    for text in &app.derived.plan.notices {
-        ui.weak(notices::translate(text));
-    }
-    for text in app.notices.iter().chain(&missing).chain(&of_coast) {
-        ui.colored_label(egui::Color32::from_rgb(240, 200, 110), notices::translate(text));
-    }
-    for text in app.errors() {
-        ui.colored_label(egui::Color32::from_rgb(255, 130, 120), text);
-    }
 }

@@ -1,6 +1,7 @@
 //! Read-outs of the panel: statistics of the sea by theory and as measured, times of the GPU passes, and the device.
 
 use super::super::{App, notices};
+use super::summary;
 use crate::app::language::{local_number, say, tr};
 
 /// Least width of the panel's contents in which two of the main statistics stand beside each other, points.
@@ -13,21 +14,24 @@ pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
     // These rows contain no widgets to tap, so they need no height for fingers.
     let tall = std::mem::replace(&mut ui.spacing_mut().interact_size.y, 18.0);
     let from = t.mean_from_deg.map_or(tr("none").to_owned(), |d| format!("{d:.0}°"));
-    let hs_help = tr("Significant wave height, 4 sqrt(m0): the mean of the highest third.");
+    let hs_help = tr("Significant wave height: the mean of the highest third of the waves.");
     let from_help = tr("Mean direction that the waves come from, clockwise from north.");
     let spread_help = tr("Directional spread sqrt(2 (1 - r1)), weighted by energy: 81° is no direction at all.");
     let rows = [
         (tr("Height Hs"), length_scale.format(t.hs_m, 2), hs_help),
         (tr("Period Tp"), local_number(format!("{:.1} s", t.tp_s)), tr("Period of the peak of the spectrum.")),
-        (tr("Length"), length_scale.format(t.lambda_p_m, 0), tr("Wavelength of the peak.")),
         (
             tr("Mean period Tz"),
             local_number(format!("{:.1} s", t.tm02_s)),
-            tr("Mean zero-crossing period, 2 pi sqrt(m0 / m2)."),
+            tr("Mean time between two waves, where the water rises through its mean level."),
         ),
         (tr("From"), from, from_help),
         (tr("Spread"), format!("{:.0}°", t.spread_deg), spread_help),
     ];
+    // Each of several wave systems has its own length, which stands below the table.
+    let length = (tr("Length"), length_scale.format(t.lambda_p_m, 0), tr("Wavelength of the peak."));
+    let length = Some(length).filter(|_| app.derived.systems.is_empty());
+    let rows: Vec<_> = rows.into_iter().chain(length).collect();
     // In a narrow window with large letters two of them have no room in a line.
     let in_line = if ui.available_width() < LEAST_WIDTH_OF_TWO_POINTS { 1 } else { 2 };
     egui::Grid::new("read-outs").num_columns(2 * in_line).show(ui, |ui| {
@@ -40,6 +44,18 @@ pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
         }
     });
     ui.spacing_mut().interact_size.y = tall;
+    for system in &app.derived.systems {
+        ui.label(say!(
+            "{system}: {height} high, {length} long, every {period} s",
+            system = summary::system_name(system.number),
+            height = length_scale.format(system.hs_m, 1),
+            length = length_scale.format(system.length_m, 0),
+            period = local_number(format!("{:.1}", system.period_s)),
+        ));
+    }
+    if let Some(sum) = summary::heights_in_words(app) {
+        ui.weak(sum);
+    }
 }
 
 /// Shows a table of statistics in three columns: by theory, of the waves on the FFT grids, and as measured on the GPU.

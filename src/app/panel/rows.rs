@@ -4,9 +4,8 @@ use super::super::accessible_names::with_accessible_name;
 use super::super::units::{UnitScale, round_to_significant_digits};
 use super::touch;
 use crate::app::language::{local_number, say, tr};
-use crate::state::Params;
 use crate::state::fields::{Field, FieldKind, Group, InvalidValue};
-use crate::state::params::Units;
+use crate::state::{Params, day_words};
 
 /// Whether a search for `words` finds a parameter: each word, or another word for the same thing, occurs in its label,
 /// key, group or help text, in upper or lower case.
@@ -55,8 +54,8 @@ pub const REASON_TEXT_POINTS: f32 = 11.5;
 /// Width of the sentence below a row that says why it has no effect, points.
 const REASON_WIDTH_POINTS: f32 = 190.0;
 
-/// Explains a widget of the panel in a tooltip at the panel's left side, or above it: a tooltip below it would cover the
-/// next rows, and what the widget changes.
+/// Explains a widget of the panel in a tooltip at the panel's left side, or above it: a tooltip below it would cover
+/// the next rows, and what the widget changes.
 pub fn explain(ui: &egui::Ui, response: egui::Response, text: &str) -> egui::Response {
     let row = response.rect.with_min_x(ui.clip_rect().left()).with_max_x(ui.clip_rect().right());
     let is_open = egui::Tooltip::should_show_tooltip(&response, true);
@@ -70,18 +69,17 @@ pub fn explain(ui: &egui::Ui, response: egui::Response, text: &str) -> egui::Res
 
 /// Adds the rows of the parameters `fields` of a group.
 pub fn show_group(params: &mut Params, group: Group, fields: &[&'static Field], ui: &mut egui::Ui) {
-    let units = params.screen.units;
     let more = ui.available_width() - GRID_WIDTH_POINTS;
     ui.spacing_mut().slider_width = (GRID_SLIDER_POINTS + more).max(MIN_GRID_SLIDER_POINTS);
     egui::Grid::new(group.label()).num_columns(3).show(ui, |ui| {
         for field in fields {
-            show_field_row(params, field, units, ui);
+            show_field_row(params, field, ui);
             ui.end_row();
         }
     });
 }
 
-fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: &mut egui::Ui) {
+fn show_field_row(params: &mut Params, field: &'static Field, ui: &mut egui::Ui) {
     let unit = if field.unit.is_empty() { String::new() } else { format!(" {}", field.unit) };
     let mut help = say!(
         "{help}\n{key} = {values}, default {default}",
@@ -99,7 +97,7 @@ fn show_field_row(params: &mut Params, field: &'static Field, units: Units, ui: 
     let before = (field.get)(params);
     let mut value = before;
     ui.vertical(|ui| {
-        let editor = ui.add_enabled_ui(inactive.is_none(), |ui| value_editor(field, &mut value, units, ui)).inner;
+        let editor = ui.add_enabled_ui(inactive.is_none(), |ui| value_editor(field, &mut value, params, ui)).inner;
         explain(ui, editor.labelled_by(label.id), &help);
         if let Some(why) = inactive.filter(|_| touch::is_used(ui.ctx())) {
             ui.set_max_width(REASON_WIDTH_POINTS);
@@ -142,8 +140,7 @@ pub fn show_value(
     let before = (field.get)(params);
     let mut value = before;
     ui.spacing_mut().slider_width = slider_width(ui);
-    let units = params.screen.units;
-    let editor = ui.add_enabled_ui(is_enabled, |ui| value_editor(field, &mut value, units, ui)).inner;
+    let editor = ui.add_enabled_ui(is_enabled, |ui| value_editor(field, &mut value, params, ui)).inner;
     explain(ui, editor.labelled_by(label), tr(field.help));
     if value != before {
         set_value(params, field, value);
@@ -155,9 +152,9 @@ pub fn slider_width(ui: &egui::Ui) -> f32 {
     (ui.available_width() - 92.0).max(80.0)
 }
 
-fn value_editor(field: &'static Field, value: &mut f64, units: Units, ui: &mut egui::Ui) -> egui::Response {
+fn value_editor(field: &'static Field, value: &mut f64, params: &Params, ui: &mut egui::Ui) -> egui::Response {
     match field.kind {
-        FieldKind::Number { min, max, log } => number_editor(field, value, (min, max, log), units, ui),
+        FieldKind::Number { min, max, log } => number_editor(field, value, (min, max, log), params, ui),
         FieldKind::Heading => {
             let before = *value;
             let response = ui.add(egui::Slider::new(value, 0.0..=360.0).suffix("°").max_decimals(1));
@@ -170,7 +167,7 @@ fn value_editor(field: &'static Field, value: &mut f64, units: Units, ui: &mut e
         FieldKind::Integer { min, max } => {
             let before = *value;
             let slider = egui::Slider::new(value, f64::from(min)..=f64::from(max)).integer();
-            let response = ui.add(with_unit_and_zero_word(field, slider, 1.0, units));
+            let response = ui.add(with_unit_and_zero_word(field, slider, 1.0, params));
             touch::keep_value_while_scrolling(ui, &response, value, before);
             response
         }
@@ -203,15 +200,15 @@ fn number_editor(
     field: &'static Field,
     value: &mut f64,
     (min, max, log): (f64, f64, bool),
-    units: Units,
+    params: &Params,
     ui: &mut egui::Ui,
 ) -> egui::Response {
-    let scale = UnitScale::for_field(field, units);
+    let scale = UnitScale::for_field(field, params.screen.units);
     let mut shown = *value * scale.factor;
     let before = shown;
     let slider =
         egui::Slider::new(&mut shown, min * scale.factor..=max * scale.factor).logarithmic(log).smart_aim(true);
-    let response = ui.add(with_unit_and_zero_word(field, slider, scale.factor, units));
+    let response = ui.add(with_unit_and_zero_word(field, slider, scale.factor, params));
     touch::keep_value_while_scrolling(ui, &response, &mut shown, before);
     if shown != before {
         // More digits would only make the link longer.
@@ -235,14 +232,15 @@ fn colour_editor(field: &Field, value: &mut f64, ui: &mut egui::Ui) -> egui::Res
 }
 
 /// Makes a slider show the field's unit after the number, and the field's word for 0, such as "off", in place of 0.
-/// Both can also be typed. `factor` is the shown value divided by the metric value.
+/// Both can also be typed, and words for times of the day where they say something. `factor` is the shown value divided
+/// by the metric value.
 fn with_unit_and_zero_word<'a>(
     field: &'static Field,
     slider: egui::Slider<'a>,
     factor: f64,
-    units: Units,
+    params: &'a Params,
 ) -> egui::Slider<'a> {
-    let scale = UnitScale::for_field(field, units);
+    let scale = UnitScale::for_field(field, params.screen.units);
     let unit = scale.suffix();
     // On a linear slider with a wide range small values could not be set.
     let most = if let FieldKind::Number { max, .. } = field.kind { max * factor } else { 0.0 };
@@ -256,7 +254,11 @@ fn with_unit_and_zero_word<'a>(
         .custom_parser(move |text| {
             let zero = !field.zero_word.is_empty()
                 && [field.zero_word, tr(field.zero_word)].iter().any(|word| text.trim().eq_ignore_ascii_case(word));
-            if zero { Some(0.0) } else { scale.parse(text) }
+            if zero {
+                Some(0.0)
+            } else {
+                day_words::typed_value(field.key, text, &params.look.sky).or_else(|| scale.parse(text))
+            }
         })
 }
 

@@ -6,7 +6,19 @@ use super::super::opened_files::OPENABLE_FILES;
 use super::super::saved_picture::PictureSize;
 use super::super::{App, icons};
 use super::{button_with_help, text_field};
-use crate::app::language::tr;
+use crate::app::language::{text, tr};
+
+/// Messages after the copying of a link, and of HTML.
+const LINK_MESSAGES: [&str; 2] = [text!("Link copied."), text!("Link copied, with a line about the sea.")];
+const EMBEDDING_MESSAGES: [&str; 2] =
+    [text!("Frame copied: paste it into a page."), text!("Element copied: paste it into a page.")];
+
+/// The message over the sea, if it is one of `messages`: the panel repeats it beside the buttons that cause it, where
+/// the visitor looks.
+fn done_in_words(app: &App, messages: &[&str]) -> Option<String> {
+    let shown = &app.message.as_ref()?.text;
+    messages.iter().any(|message| tr(message) == shown).then(|| shown.clone())
+}
 
 /// Adds the widgets of the tab.
 pub fn show_share_buttons(app: &mut App, ui: &mut egui::Ui) {
@@ -53,7 +65,15 @@ fn show_links(app: &mut App, ui: &mut egui::Ui) {
             app.copy_link_with_words();
         }
     });
-    ui.weak(format!("\u{201c}{}: …\u{201d}", app.sea_in_words()));
+    // The message takes the place of this line, and no row moves under the pointer.
+    let words = egui::RichText::new(format!("\u{201c}{}: …\u{201d}", app.sea_in_words())).weak();
+    let done = done_in_words(app, &LINK_MESSAGES).map(|text| egui::RichText::new(text).strong());
+    let sizes =
+        egui::WidgetText::from(words.clone()).into_galley(ui, None, ui.available_width(), egui::TextStyle::Body);
+    ui.scope(|ui| {
+        ui.set_min_height(sizes.size().y);
+        ui.label(done.unwrap_or(words));
+    });
     ui.label(tr("The address of the page is always the whole sea: send it, bookmark it, go back and forward."));
 }
 
@@ -138,4 +158,7 @@ fn show_embedding(app: &mut App, ui: &mut egui::Ui) {
             app.save_maps();
         }
     });
+    if let Some(text) = done_in_words(app, &EMBEDDING_MESSAGES) {
+        ui.strong(text);
+    }
 }

@@ -1,16 +1,20 @@
-//! The sheet of a narrow window, above the bar of tabs: closed, a third of the window, or nearly all of it. Its handle is
-//! dragged, tapped or moved by keys, and the sea is drawn in what is left above it.
+//! The sheet of a narrow window, above the bar of tabs: closed, a third of the window, or nearly all of it. Its handle
+//! is dragged, tapped or moved by keys, and the sea is drawn in what is left above it.
 
 use super::super::accessible_names::with_accessible_name;
 use super::super::{App, icons};
 use super::handle::Handle;
-use super::{TOUCH_TARGET_POINTS, weather};
+use super::{TOUCH_TARGET_POINTS, wind};
 use super::{Tab, enlarge_for_touch, has_room, is_narrow, show_action_buttons, show_notices, show_tab, show_tabs};
 use crate::app::language::tr;
 use egui::Key;
 
 /// Height of the handle, points.
 const HANDLE_POINTS: f32 = 26.0;
+/// Height of the wind's bar, of the slider in it, and size of the letters of its name, points.
+const WIND_BAR_POINTS: f32 = 64.0;
+const WIND_SLIDER_POINTS: f32 = 36.0;
+const WIND_NAME_TEXT_POINTS: f32 = 12.0;
 /// Height of the sea that a sheet of nearly the whole window leaves, points.
 const LEAST_SEA_POINTS: f32 = 110.0;
 /// Least height of an open sheet without its bars, points.
@@ -92,8 +96,8 @@ impl Sheet {
     }
 }
 
-/// Shows the bar of tabs and the sheet of a narrow window, before the sea takes the rest of `ui`: the sea is drawn above
-/// the sheet, so that all of it stays visible.
+/// Shows the bar of tabs and the sheet of a narrow window, before the sea takes the rest of `ui`: the sea is drawn
+/// above the sheet, so that all of it stays visible.
 pub fn show_bottom_sheet(app: &mut App, ui: &mut egui::Ui) {
     let ctx = ui.ctx().clone();
     if !(is_narrow(&ctx) && has_room(&ctx)) {
@@ -138,17 +142,24 @@ pub fn show_bottom_sheet(app: &mut App, ui: &mut egui::Ui) {
     panel("handle").frame(body).exact_size(HANDLE_POINTS).show(ui, |ui| show_handle(app, at, ui));
 }
 
-/// Adds the controls that a closed sheet leaves in reach of a thumb: the button of the time, and the wind.
+/// Adds the controls that a closed sheet leaves in reach of a thumb: the button of the time, and the wind with its
+/// name.
 fn show_wind_bar(app: &mut App, ui: &mut egui::Ui) {
-    ui.horizontal(|ui| {
+    ui.horizontal_top(|ui| {
         let clock = &mut app.params.clock;
         let (icon, name) = if clock.paused { (icons::PLAY, tr("Play")) } else { (icons::PAUSE, tr("Pause")) };
         let button = egui::Button::new(egui::RichText::new(icon).size(17.0)).frame_when_inactive(false);
-        let button = button.min_size(egui::Vec2::splat(TOUCH_TARGET_POINTS));
+        let button = button.min_size(egui::vec2(TOUCH_TARGET_POINTS, WIND_BAR_POINTS));
         if with_accessible_name(ui.add(button), name).clicked() {
             clock.paused = !clock.paused;
         }
-        weather::show_force_slider(app, ui);
+        ui.vertical(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            ui.label(egui::RichText::new(wind::wind_in_words(app)).size(WIND_NAME_TEXT_POINTS));
+            // Name, slider and marks together are high enough for a thumb.
+            ui.spacing_mut().interact_size.y = WIND_SLIDER_POINTS;
+            wind::show_force_slider(app, ui);
+        });
     });
 }
 

@@ -5,6 +5,7 @@ use super::super::accessible_names::with_accessible_name;
 use super::Tab;
 use crate::app::language::{local_number, say, tr};
 use crate::files::measured::SpectrumList;
+use std::sync::Arc;
 
 /// Greatest height of the list, points.
 const LIST_HEIGHT_POINTS: f32 = 110.0;
@@ -28,7 +29,9 @@ impl App {
         };
         self.tell_opened(&self.waves_of_file(&list.name, spectrum.hs_m()), details);
         self.notices = list.notices.iter().chain(&list.records[used].notices).cloned().collect();
+        let title = list.title(used);
         self.params.sea.set_measured_spectrum(spectrum);
+        self.remember_title(title);
         // A buoy measures all waves of its sea. Others would come on top.
         for system in &mut self.params.sea.systems[1..] {
             system.height_factor = 0.0;
@@ -39,6 +42,19 @@ impl App {
         } else {
             self.panel.spectra = None;
         }
+    }
+
+    /// Keeps the title of the spectrum that the sea has from a file.
+    fn remember_title(&mut self, title: impl Into<String>) {
+        self.panel.spectrum_title = self.params.sea.measured.clone().map(|spectrum| (spectrum, title.into()));
+    }
+
+    /// Whence the measured waves of the sea are: name of the file and time of the record; `None` if the sea has no
+    /// measured waves, or a link has brought them.
+    pub(super) fn measured_title(&self) -> Option<&str> {
+        let (spectrum, title) = self.panel.spectrum_title.as_ref()?;
+        let is_shown = self.params.sea.measured.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, spectrum));
+        (is_shown && self.has_measured_waves()).then_some(title)
     }
 
     /// Says that the sea has the waves of a file, or of one of its spectra, called `name`.
@@ -79,6 +95,7 @@ pub fn show_spectrum_list(app: &mut App, ui: &mut egui::Ui) {
         app.tell_opened(&message, format!("{}: Hs {:.2} m", list.title(i), spectrum.hs_m()));
         app.notices.clone_from(&list.records[i].notices);
         app.params.sea.set_measured_spectrum(spectrum);
+        app.remember_title(list.title(i));
     }
     if keeps {
         app.panel.spectra = Some(list);

@@ -12,6 +12,11 @@ const TIME_LAPSE_H_PER_MIN: f64 = 4.0;
 /// Speeds of the time-lapse that the number beside its button takes, h/min.
 const TIME_LAPSE_RANGE_H_PER_MIN: std::ops::RangeInclusive<f64> = 0.1..=60.0;
 
+/// Heights at which the sun counts as low, degrees: from the end of nautical twilight to golden light.
+const LOW_SUN_DEG: std::ops::Range<f64> = -12.0..10.0;
+/// Time after which a rising sun is seen to be higher, h.
+const A_MOMENT_H: f64 = 0.05;
+
 /// An hour of the day as on a clock, such as `4:07`.
 pub fn clock_text(hour: f64) -> String {
     let minutes = (60.0 * hour).round().rem_euclid(24.0 * 60.0);
@@ -21,6 +26,17 @@ pub fn clock_text(hour: f64) -> String {
 /// The sky as it is drawn: on a running day the hour has advanced.
 pub fn sky_of_now(params: &Params) -> SkyLook {
     params.look.sky.at_time(params.clock.t_s)
+}
+
+/// Whether a low sun that follows date and place is rising or setting; `None` for a high sun, deep night, and a sun
+/// that stands where it was put.
+pub fn low_sun_moves(sky: &SkyLook) -> Option<&'static str> {
+    let height_deg = |sky: &SkyLook| sky.sun_elevation_azimuth_deg()[0];
+    let is_low = LOW_SUN_DEG.contains(&height_deg(sky)) && sky.panorama().is_none();
+    (is_low && sky.sun_placement == SunPlacement::Date).then(|| {
+        let later = SkyLook { hour: sky.hour + A_MOMENT_H, ..sky.clone() };
+        if height_deg(&later) > height_deg(sky) { text!("the sun is rising") } else { text!("the sun is setting") }
+    })
 }
 
 /// Sunrise and sunset of the date and the place, in a sentence.
@@ -105,5 +121,15 @@ mod tests {
         assert!(words(80.0, 45.0).starts_with("The sun rises at 5:5"), "{}", words(80.0, 45.0));
         assert_eq!(words(172.0, 78.0), "Polar day: the sun does not set.");
         assert_eq!(words(355.0, 78.0), "Polar night: the sun does not rise.");
+    }
+    #[test]
+    fn a_low_sun_rises_in_the_morning_and_sets_in_the_evening() {
+        let at = |hour, sun_placement| {
+            let sky = SkyLook { day: 80.0, latitude_deg: 45.0, hour, sun_placement, ..SkyLook::default() };
+            low_sun_moves(&sky)
+        };
+        let date = SunPlacement::Date;
+        assert_eq!([at(6.2, date), at(17.8, date)], [Some("the sun is rising"), Some("the sun is setting")]);
+        assert_eq!([at(12.0, date), at(0.0, date), at(6.2, SunPlacement::Direction)], [None; 3]);
     }
 }

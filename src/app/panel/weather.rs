@@ -1,19 +1,13 @@
 //! The panel's tab of the weather: the few parameters that most people want, in words.
 
 use super::super::App;
-use super::super::accessible_names::with_accessible_value;
-use super::super::units::{UnitScale, round_to_significant_digits};
-use super::{button_with_help, coast, rows, sun, touch};
+use super::{button_with_help, coast, rows, summary, sun, wind};
 use crate::app::language::{say, text, tr};
 use crate::state::Params;
 use crate::state::fields::{self, Group};
 use crate::state::look::SunPlacement;
-use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 use crate::waves::dispersion::Dispersion;
 use std::f64::consts::TAU;
-
-/// Lines that the longest description of a Beaufort force takes in the panel.
-const APPEARANCE_LINES: f32 = 3.0;
 
 /// Names of the sixteen points of the compass, clockwise from north.
 const COMPASS_POINTS: [&str; 16] = [
@@ -95,7 +89,11 @@ fn swell_length(p: &Params) -> String {
 /// The time of the sun's day on a clock, and the light of that time.
 fn hour_of_now(p: &Params) -> String {
     let [_, hour] = p.look.sky.day_and_hour(p.clock.t_s);
-    format!("{}, {}", sun::clock_text(hour), tr(time_of_light(p)))
+    let now = format!("{}, {}", sun::clock_text(hour), tr(time_of_light(p)));
+    match sun::low_sun_moves(&sun::sky_of_now(p)) {
+        Some(moves) => format!("{now}, {}", tr(moves)),
+        None => now,
+    }
 }
 
 fn time_of_light(p: &Params) -> &'static str {
@@ -110,7 +108,7 @@ fn time_of_light(p: &Params) -> &'static str {
 
 /// Adds the widgets of the tab.
 pub fn show_weather(app: &mut App, ui: &mut egui::Ui) {
-    show_wind(app, ui);
+    wind::show_wind(app, ui);
     show_rows(app, ui, &WIND_ROWS);
     ui.separator();
     let swell_before = app.params.sea.systems[1].clone();
@@ -123,12 +121,17 @@ pub fn show_weather(app: &mut App, ui: &mut egui::Ui) {
     if swell.is_on() && ui.button(tr("No swell")).clicked() {
         swell.height_factor = 0.0;
     }
+    if let Some(sum) = summary::heights_in_words(app) {
+        ui.weak(sum);
+    }
+    ui.separator();
+    show_rows(app, ui, &WATER_ROWS);
+    coast::show_coast(app, ui);
     ui.separator();
     show_sun(app, ui);
     show_rows(app, ui, &SKY_ROWS);
     ui.separator();
-    show_rows(app, ui, &WATER_ROWS);
-    coast::show_coast(app, ui);
+    coast::show_map_and_effects(app, ui);
 }
 
 /// Adds the rows that place the sun, by direction or by date, and the button that changes between the two.
@@ -176,88 +179,9 @@ fn show_rows(app: &mut App, ui: &mut egui::Ui, rows: &[Row]) {
     }
 }
 
-/// Adds the slider of the wind speed, its force and name on the Beaufort scale, what the sea looks like in it, and a
-/// button that gives the wind the fetch for which the sea is as high as the scale says, if it has another one.
-fn show_wind(app: &mut App, ui: &mut egui::Ui) {
-    let force = beaufort::beaufort_number(app.params.sea.first_system().wind_m_s);
-    ui.horizontal(|ui| {
-        ui.strong(tr("Wind"));
-        let english = BEAUFORT_FORCES[force].name;
-        // Translations have the letters that their language wants: German nouns begin with a capital.
-        let name = if tr(english) == english { english.to_lowercase() } else { tr(english).to_owned() };
-        ui.weak(say!("force {force}, {name}", force = force, name = name));
-    });
-    ui.horizontal(|ui| show_force_slider(app, ui));
-    let force = beaufort::beaufort_number(app.params.sea.first_system().wind_m_s);
-    let force = &BEAUFORT_FORCES[force];
-    let metres = app.length_scale();
-    let hs_m = app.derived.theoretical_statistics.hs_m;
-    let (code, word) = beaufort::sea_state(hs_m);
-    // Room for the longest text, so that no row below moves away from the pointer.
-    ui.scope(|ui| {
-        ui.set_min_height(APPEARANCE_LINES * ui.text_style_height(&egui::TextStyle::Body));
-        ui.label(tr(force.appearance)).on_hover_text(tr("Beaufort scale, WMO"));
-    });
-    ui.weak(say!(
-        "Textbook height {textbook}, this sea {height}; sea state {code}, {word} (Douglas)",
-        textbook = metres.format(force.probable_hs_m, 1),
-        height = metres.format(hs_m, 1),
-        code = code,
-        word = tr(word),
-    ));
-    if app.params.sea.first_system().fetch_km != force.fetch_km {
-        let help = tr("Lets the wind blow over so much water that the sea is as high as the Beaufort scale says.");
-        if button_with_help(ui, tr("As high as the textbook"), help) {
-            let wind_m_s = app.params.sea.first_system().wind_m_s;
-            app.params = force.apply(&app.params);
-            app.params.sea.systems[0].wind_m_s = wind_m_s;
-        }
-    }
-}
-
-/// Adds the slider of the wind's force, and the field of its speed.
-pub fn show_force_slider(app: &mut App, ui: &mut egui::Ui) {
-    let speed = UnitScale::for_unit("m/s", app.params.screen.units);
-    let wind_m_s = app.params.sea.first_system().wind_m_s;
-    let force = beaufort::beaufort_number(wind_m_s);
-    let mut number = force as f64;
-    ui.spacing_mut().slider_width = rows::slider_width(ui);
-    let slider = egui::Slider::new(&mut number, 0.0..=12.0).integer().show_value(false);
-    let help = tr("Sets the wind of this force.");
-    let slider = ui.add(slider);
-    touch::keep_value_while_scrolling(ui, &slider, &mut number, force as f64);
-    rows::explain(ui, with_accessible_value(slider, tr("Beaufort"), number), help);
-    let mut shown = wind_m_s * speed.factor;
-    let exact = egui::DragValue::new(&mut shown).range(0.0..=60.0 * speed.factor).speed(0.1).max_decimals(1);
-    let exact = exact.suffix(speed.suffix()).custom_parser(move |text| parse_wind(text, speed));
-    let exact = with_accessible_value(ui.add(exact), tr("Wind speed"), wind_m_s);
-    if exact.on_hover_text(tr("Wind speed 10 m above the sea; 25 kn, 12 m/s and 7 bft are understood.")).changed() {
-        app.params.sea.systems[0].wind_m_s = round_to_significant_digits(shown / speed.factor);
-    }
-    let number = number.round() as usize;
-    if number != force {
-        app.params.sea.systems[0].wind_m_s = BEAUFORT_FORCES[number].mean_wind_m_s;
-        // A wind that does nothing, such as that of a measured spectrum, shall blow.
-        if fields::find("wind").is_some_and(|wind| wind.inactive_because(&app.params).is_some()) {
-            app.params = BEAUFORT_FORCES[number].apply(&app.params);
-        }
-    }
-}
-
-/// Reads a typed wind speed in the shown unit `speed`, in another unit that is named, or in Beaufort ("7 bft").
-fn parse_wind(text: &str, speed: UnitScale) -> Option<f64> {
-    let lower = text.trim().to_lowercase();
-    let Some(force) = lower.strip_suffix("bft").or_else(|| lower.strip_prefix("force")) else {
-        return speed.parse(&lower);
-    };
-    let force: usize = force.trim().parse().ok()?;
-    Some(BEAUFORT_FORCES.get(force)?.mean_wind_m_s * speed.factor)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::state::params::Units;
 
     #[test]
     fn compass_points_are_the_nearest() {
@@ -265,17 +189,5 @@ mod tests {
         for (deg, name) in points {
             assert_eq!(compass_point(deg), name, "{deg}");
         }
-    }
-
-    #[test]
-    fn a_typed_wind_may_have_any_unit() {
-        let speed = UnitScale::for_unit("m/s", Units::Metric);
-        assert!((parse_wind("25 kn", speed).expect("knots") - 12.861).abs() < 1e-3);
-        assert_eq!(parse_wind("7 bft", speed), Some(15.5));
-        assert_eq!(parse_wind("force 9", speed), Some(22.6));
-        assert_eq!(
-            (parse_wind("12", speed), parse_wind("13 bft", speed), parse_wind("x", speed)),
-            (Some(12.0), None, None)
-        );
     }
 }

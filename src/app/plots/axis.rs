@@ -2,10 +2,10 @@
 //! density of the variance has the unit that belongs to the axis, so that the area under a curve is the variance.
 
 use super::super::App;
-use super::fixed_plot;
+use super::{fixed_plot, number, round_marks};
 use crate::app::language::{local_number, say, text, tr};
 use crate::waves::dispersion::Dispersion;
-use egui_plot::{Bar, BarChart, GridInput, GridMark, HoverPosition, Legend, Plot};
+use egui_plot::{Bar, BarChart, GridInput, GridMark, HoverPosition, Plot};
 use std::f64::consts::TAU;
 
 /// Periods that may stand at the axis, s, the most welcome ones first.
@@ -58,8 +58,8 @@ impl SpectrumAxis {
     fn caption(self) -> &'static str {
         match self {
             Self::Period => text!(
-                "Energy by wave period: each peak is one group of waves, long waves at the left, short ones at the \
-                right."
+                "Energy by wave period, m²/Hz: each peak is one group of waves, long waves at the left, short ones at \
+                the right."
             ),
             Self::Frequency => text!("Variance density S(f), m²/Hz, over the frequency f, Hz"),
             Self::AngularFrequency => text!("Variance density S(ω), m² s, over ω, rad/s"),
@@ -133,7 +133,7 @@ fn period_marks(input: &GridInput, least_share: f64) -> Vec<GridMark> {
 pub fn spectrum_plot<'a>(app: &'a App, name: &'a str, ui: &egui::Ui) -> Plot<'a> {
     let (axis, scale) = (app.visitor.preferences.spectrum_axis, app.length_scale());
     let dispersion: &Dispersion = &app.derived.plan.dispersion;
-    let plot = fixed_plot(name).legend(Legend::default().background_alpha(0.4));
+    let plot = fixed_plot(name).y_grid_spacer(|input| round_marks(&input)).y_axis_formatter(|mark, _| number(mark));
     let plot = plot.label_formatter(move |pointed| match pointed {
         HoverPosition::NearDataPoint { plot_name, position, .. } => {
             let length_m = TAU / dispersion.wave_number(axis.omega(position.x.max(1e-3)));
@@ -145,10 +145,8 @@ pub fn spectrum_plot<'a>(app: &'a App, name: &'a str, ui: &egui::Ui) -> Plot<'a>
     if axis != SpectrumAxis::Period {
         return plot;
     }
-    // The numbers of the density say nothing to who has not chosen its unit.
     let least_share = f64::from((LEAST_MARK_DISTANCE_POINTS / ui.available_width()).clamp(0.0, 0.5));
-    plot.show_axes([true, false])
-        .x_grid_spacer(move |input| period_marks(&input, least_share))
+    plot.x_grid_spacer(move |input| period_marks(&input, least_share))
         .x_axis_formatter(|mark, _| format!("{} s", local_number(format!("{}", 1e-3 * (1e3 / mark.value).round()))))
 }
 

@@ -3,6 +3,7 @@
 use super::super::App;
 use super::super::coast_maps::{PlacedGauge, RECORD_AHEAD_S};
 use super::axis::{show_caption, spectrum_plot};
+use super::legend::{Legend, Sample};
 use super::spectrum::highest_omega;
 use super::{PLOT_COLOURS, fixed_plot};
 use crate::app::language::{say, tr};
@@ -23,20 +24,25 @@ pub fn show_spectrum(app: &App, (number, gauge): (usize, &PlacedGauge), ui: &mut
     let axis = app.visitor.preferences.spectrum_axis;
     show_caption(app, ui);
     let plot = spectrum_plot(app, "gauge spectrum", ui).id(egui::Id::unique(("gauge spectrum", number)));
+    let mut legend = Legend::default();
     plot.show(ui, |plot| {
         let open: Vec<[f64; 2]> = bands().map(|b| axis.point([b.omega_rad_s, plan.density(b.omega_rad_s)])).collect();
         let share = bands().map(SpectrumBand::share);
         let here: Vec<[f64; 2]> = open.iter().zip(share).map(|([at, density], s)| [*at, density * s]).collect();
         let line = Line::new(tr("Open sea"), PlotPoints::from(open)).color(PLOT_COLOURS[0]);
         plot.line(line.style(LineStyle::dashed_loose()));
+        legend.add(tr("Open sea"), PLOT_COLOURS[0], Sample::Dashed);
         plot.line(Line::new(tr("gauge"), PlotPoints::from(here)).color(PLOT_COLOURS[1]).width(2.0));
+        legend.add(tr("gauge"), PLOT_COLOURS[1], Sample::Line);
         let record = gauge.record.spectrum();
         if record.len() > 2 {
             let points: PlotPoints<'_> = record.iter().filter(|p| p[0] <= end).map(|p| axis.point(*p)).collect();
             let line = Line::new(tr("record"), points).color(PLOT_COLOURS[4]);
             plot.line(line.style(LineStyle::dashed_dense()));
+            legend.add(tr("record"), PLOT_COLOURS[4], Sample::Dashed);
         }
     });
+    legend.show(ui);
 }
 
 /// Plots the height of the drawn sea at the gauge `number` before and after the present, and shows the significant wave

@@ -6,6 +6,7 @@
 mod axis;
 mod exceedance;
 pub mod gauge;
+mod legend;
 pub mod polar;
 mod profile;
 mod series;
@@ -59,9 +60,13 @@ impl PlotTable {
 fn fixed_plot(name: &str) -> Plot<'_> {
     let plot = Plot::new(name).height(PLOT_HEIGHT_POINTS).allow_drag(false).allow_zoom(false).allow_scroll(false);
     // The usual marks at powers of ten, of which only distant ones have numbers, leave most axes with a single number.
-    let number = |mark: GridMark| local_number(format!("{}", (mark.value * 1e6).round() / 1e6 + 0.0));
     let plot = plot.custom_x_axes(vec![AxisHints::new_x().label_spacing(NUMBER_SPACING_POINTS)]);
-    plot.x_grid_spacer(|input| round_marks(&input)).x_axis_formatter(move |mark, _| number(mark))
+    plot.x_grid_spacer(|input| round_marks(&input)).x_axis_formatter(|mark, _| number(mark))
+}
+
+/// The number at a mark of an axis, without digits that only rounding errors have.
+fn number(mark: GridMark) -> String {
+    local_number(format!("{}", (mark.value * 1e6).round() / 1e6 + 0.0))
 }
 
 /// Marks along an axis: two to seven multiples of 1, 2 or 5 times a power of ten.

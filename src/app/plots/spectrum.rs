@@ -4,6 +4,7 @@
 use super::super::App;
 use super::super::panel::system_name;
 use super::axis::{SpectrumAxis, show_axis_choice, spectrum_plot};
+use super::legend::{Legend, Sample};
 use super::{PLOT_COLOURS, PlotTable};
 use crate::app::language::tr;
 use crate::state::params::MAX_WAVE_SYSTEMS;
@@ -11,9 +12,13 @@ use crate::waves::Plan;
 use egui_plot::{Line, LineStyle, PlotPoints, VLine};
 
 const CURVE_INTERVALS: usize = 240;
+/// Colour of the whole sea, unlike those of its parts.
+const SEA_COLOUR: egui::Color32 = egui::Color32::WHITE;
 /// Colours of the four wave systems.
 const SYSTEM_COLOURS: [egui::Color32; MAX_WAVE_SYSTEMS] =
-    [PLOT_COLOURS[1], PLOT_COLOURS[2], PLOT_COLOURS[5], egui::Color32::WHITE];
+    [PLOT_COLOURS[1], PLOT_COLOURS[0], PLOT_COLOURS[5], PLOT_COLOURS[2]];
+/// Colour of the line at the highest peak, and of the edges of the grids.
+const MARK_COLOUR: egui::Color32 = egui::Color32::GRAY;
 
 /// Highest angular frequency of the spectrum plot and of the spectrum measured in the wave maps, rad/s.
 pub fn highest_omega(plan: &Plan) -> f64 {
@@ -22,8 +27,8 @@ pub fn highest_omega(plan: &Plan) -> f64 {
 }
 
 /// Plots the frequency spectrum by theory and as measured, and its highest peak, along the axis that the visitor
-/// chooses; but for the axis of periods also the frequencies that separate the cascades. Returns the data as a table for
-/// a CSV file.
+/// chooses; but for the axis of periods also the frequencies that separate the cascades. Returns the data as a table
+/// for a CSV file.
 pub fn show_spectrum_plot(app: &mut App, ui: &mut egui::Ui) -> PlotTable {
     show_axis_choice(app, ui);
     let app = &*app;
@@ -36,33 +41,45 @@ pub fn show_spectrum_plot(app: &mut App, ui: &mut egui::Ui) -> PlotTable {
     };
     let record = app.record.spectrum();
     let maps = app.sea_measurement.bin_width_and_spectrum();
+    let mut legend = Legend::default();
     spectrum_plot(app, "spectrum", ui).show(ui, |plot| {
         if let Some((width, density)) = &maps {
-            plot.bar_chart(axis.bars(tr("Drawn waves"), *width, density).color(PLOT_COLOURS[3].gamma_multiply(0.35)));
+            let colour = PLOT_COLOURS[3].gamma_multiply(0.35);
+            plot.bar_chart(axis.bars(tr("Drawn waves"), *width, density).color(colour));
+            legend.add(tr("Drawn waves"), colour, Sample::Bars);
         }
-        plot.line(Line::new(tr("This sea"), curve(&|w| plan.density(w))).color(PLOT_COLOURS[0]).width(2.0));
+        plot.line(Line::new(tr("This sea"), curve(&|w| plan.density(w))).color(SEA_COLOUR).width(2.0));
+        legend.add(tr("This sea"), SEA_COLOUR, Sample::Line);
         let peak = VLine::new(tr("Highest peak"), axis.at(plan.omega_p));
-        plot.vline(peak.color(PLOT_COLOURS[0].gamma_multiply(0.6)).width(1.0));
+        plot.vline(peak.color(MARK_COLOUR).style(LineStyle::dashed_dense()).width(1.0));
+        legend.add(tr("Highest peak"), MARK_COLOUR, Sample::Dashed);
         if plan.systems.len() > 1 {
             for system in &plan.systems {
                 let points = curve(&|w| system.spectrum.density(w));
-                let style = if system.number == 1 { LineStyle::dashed_loose() } else { LineStyle::dotted_loose() };
-                let colour = SYSTEM_COLOURS[system.number - 1];
-                plot.line(Line::new(system_name(system.number), points).color(colour).style(style));
+                let (style, sample) = match system.number {
+                    1 => (LineStyle::dashed_loose(), Sample::Dashed),
+                    _ => (LineStyle::dotted_loose(), Sample::Dotted),
+                };
+                let (name, colour) = (system_name(system.number), SYSTEM_COLOURS[system.number - 1]);
+                plot.line(Line::new(name, points).color(colour).style(style).width(2.0));
+                legend.add(name, colour, sample);
             }
         }
         // Where one grid of waves ends and the next begins concerns only who looks at the machine.
         let edges = plan.cascades.iter().skip(1).filter(|_| axis != SpectrumAxis::Period);
         for edge in edges.map(|cascade| plan.dispersion.omega(cascade.k_low)).filter(|edge| *edge < end) {
             let line = VLine::new(tr("Edges of the grids"), axis.at(edge)).style(LineStyle::dotted_dense()).width(1.0);
-            plot.vline(line.color(egui::Color32::GRAY));
+            plot.vline(line.color(MARK_COLOUR));
+            legend.add(tr("Edges of the grids"), MARK_COLOUR, Sample::Dotted);
         }
         if record.len() > 2 {
             let points: PlotPoints<'_> = record.iter().filter(|p| p[0] <= end).map(|p| axis.point(*p)).collect();
             let line = Line::new(tr("Buoy's record"), points).color(PLOT_COLOURS[4]);
             plot.line(line.style(LineStyle::dashed_dense()));
+            legend.add(tr("Buoy's record"), PLOT_COLOURS[4], Sample::Dashed);
         }
     });
+    legend.show(ui);
     let measured = |omega: f64| {
         let (width, density) = maps.as_ref()?;
         density.get(((omega / width) as usize).min(density.len() - 1)).copied()
