@@ -5,7 +5,6 @@ mod cover;
 pub mod map;
 mod mesh;
 mod relief;
-mod shapes;
 mod stones;
 
 use super::scene::Scene;

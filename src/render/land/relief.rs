@@ -11,12 +11,22 @@ pub const CELLS: usize = 1024;
 /// Number of points of the whole grid along each side.
 pub const POINTS: usize = CELLS + 1;
 /// Index of the first point of the coast's rectangle.
-pub(super) const BEFORE: usize = 128;
+const BEFORE: usize = 128;
 /// Distance that the land goes on beyond the coast's rectangle, m.
 const FAR_M: f64 = 30_000.0;
-/// Height by which the blocks of a breakwater differ, m, and the side of the tile of noise that shapes them, m.
-const BLOCKS_M: f64 = 1.5;
+/// Slopes between which land becomes rock.
+const ROCK_SLOPES: [f32; 2] = [0.42, 0.8];
+/// Height of the edges and ledges of rock, m, and sides of the tiles of noise that shape them and blocks of rubble, m.
+const LEDGES_M: f32 = 2.2;
+const ROCK_TILE_M: f64 = 173.0;
 const RUBBLE_TILE_M: f64 = 97.0;
+/// Heights of the hummocks of dunes, m, the sides of the tiles of their noise, m, the heights of the ground between which
+/// they begin, m, and the distance from the edges of the coast's rectangle, where there are none, m.
+const HUMMOCKS: [(f32, f64); 3] = [(3.2, 410.0), (1.9, 173.0), (0.8, 71.0)];
+const HUMMOCK_GROUND_M: [f32; 2] = [2.4, 5.0];
+const NO_HUMMOCKS_M: f64 = 120.0;
+/// Height by which the blocks of a breakwater differ, m.
+const BLOCKS_M: f64 = 1.5;
 /// Hills beyond the coast: their height, m, the distances inland over which they rise, m, and the tile of their noise, m.
 const HILLS_M: f64 = 120.0;
 const HILLS_FROM_M: [f64; 2] = [60.0, 3000.0];
@@ -101,7 +111,6 @@ impl Relief {
         }
         let mut relief = Self { axes, height_m, slope: vec![[0.0; 2]; POINTS * POINTS], kind: Vec::new() };
         relief.shape_dunes();
-        relief.shape_cusps();
         relief.shape_rocks();
         if built_in.is_some() {
             coast.structures.iter().for_each(|structure| relief.build(structure, &mut kind));
@@ -113,7 +122,7 @@ impl Relief {
     }
 
     /// Slopes along x and y by differences between neighbours, of the points whose row and column are in a range.
-    pub(super) fn slopes(&self, range: std::ops::Range<usize>) -> Vec<[f32; 2]> {
+    fn slopes(&self, range: std::ops::Range<usize>) -> Vec<[f32; 2]> {
         let mut slope = vec![[0.0; 2]; POINTS * POINTS];
         let (first, last) = (range.start, range.end - 1);
         let around = |i: usize| [i.max(first + 1) - 1, (i + 1).min(last)];
@@ -128,6 +137,56 @@ impl Relief {
             }
         }
         slope
+    }
+
+    /// Gives sandy land the hummocks and hollows that wind and grass make.
+    fn shape_dunes(&mut self) {
+        let slopes = self.slopes(BEFORE..BEFORE + INNER);
+        let layers: [NoiseLattice; 3] = std::array::from_fn(|i| NoiseLattice::gradients(7, 101 + i as u32));
+        let sides_m = [self.axes[0].side_m, self.axes[1].side_m];
+        for (j, y) in inner_points(&self.axes[1]) {
+            for (i, x) in inner_points(&self.axes[0]) {
+                let index = j * POINTS + i;
+                let [from, to] = HUMMOCK_GROUND_M;
+                let [sx, sy] = slopes[index];
+                let edge_m = (sides_m[0] - x).min(y).min(sides_m[1] - y);
+                let share = smooth((self.height_m[index] - from) / (to - from))
+                    * smooth((edge_m / NO_HUMMOCKS_M) as f32)
+                    * (1.0 - smooth(4.0 * sx.hypot(sy) - 1.0));
+                if share > 0.0 {
+                    let noise: f32 = HUMMOCKS
+                        .iter()
+                        .zip(&layers)
+                        .map(|((height_m, tile_m), layer)| {
+                            // Crests are sharper than hollows.
+                            let wave = layer.perlin_noise((x / tile_m) as f32, (y / tile_m) as f32);
+                            height_m * (0.25 - wave.abs())
+                        })
+                        .sum();
+                    self.height_m[index] += share * noise;
+                }
+            }
+        }
+    }
+
+    /// Gives steep land the edges and ledges of rock.
+    fn shape_rocks(&mut self) {
+        let slopes = self.slopes(BEFORE..BEFORE + INNER);
+        let cracks = [NoiseLattice::feature_points(17, 81, 0.4), NoiseLattice::feature_points(43, 82, 0.3)];
+        let bends = [NoiseLattice::gradients(11, 83), NoiseLattice::gradients(11, 84)];
+        for j in BEFORE..BEFORE + INNER {
+            for i in BEFORE..BEFORE + INNER {
+                let index = j * POINTS + i;
+                let [sx, sy] = slopes[index];
+                let rock = smooth((sx.hypot(sy) - ROCK_SLOPES[0]) / (ROCK_SLOPES[1] - ROCK_SLOPES[0]));
+                if rock > 0.0 && self.height_m[index] > -4.0 {
+                    let [u, v] = [self.axes[0].at_m[i], self.axes[1].at_m[j]].map(|at| (at / ROCK_TILE_M) as f32);
+                    let (x, y) = (u + 0.03 * bends[0].perlin_noise(u, v), v + 0.03 * bends[1].perlin_noise(u, v));
+                    let noise = cracks[0].ridge_noise(x, y) + 0.5 * cracks[1].ridge_noise(x, y);
+                    self.height_m[index] += rock * LEDGES_M * (0.7 - noise);
+                }
+            }
+        }
     }
 
     /// Builds a breakwater or a quay onto the land.
@@ -227,12 +286,12 @@ impl Relief {
 }
 
 /// Indices and positions, m, of the points along an axis that lie in the coast's rectangle.
-pub(super) fn inner_points(axis: &Axis) -> Vec<(usize, f64)> {
+fn inner_points(axis: &Axis) -> Vec<(usize, f64)> {
     (BEFORE..BEFORE + INNER).map(|i| (i, axis.at_m[i])).collect()
 }
 
 /// 0 for x <= 0, 1 for x >= 1, with a smooth step between.
-pub(super) fn smooth(x: f32) -> f32 {
+fn smooth(x: f32) -> f32 {
     let t = x.clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
