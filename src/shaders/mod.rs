@@ -67,7 +67,8 @@ const PICTURE: SourcePart = SourcePart::Group(&[
 const CLOUDY_SKY: SourcePart = SourcePart::Group(&[CLOUD_MAP, part!("sky/clouds.wgsl")]);
 const CLOUD_MAP: SourcePart = part!("sky/cloud_map.wgsl");
 const CLOUD_KINDS: SourcePart = part!("sky/cloud_kinds.wgsl");
-const CLOUD_FIELD: SourcePart = SourcePart::Group(&[CLOUD_KINDS, part!("sky/cloud_field.wgsl")]);
+const CLOUD_FIELD: SourcePart =
+    SourcePart::Group(&[CLOUD_KINDS, part!("sky/cloud_field.wgsl"), part!("sky/cirrus.wgsl")]);
 /// WGSL mapping of the table of the mirrored sky.
 const MIRRORED_MAP: SourcePart = part!("sky/mirrored_map.wgsl");
 /// WGSL functions for the position of the water surface, displaced by the waves.
