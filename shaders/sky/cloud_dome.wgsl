@@ -22,8 +22,8 @@ const DOME_LEAST_TRANSMITTANCE = 0.01;
 const DOME_OCTAVE_WEIGHT = vec3f(1.0, 1.0, 2.0);
 const DOME_OCTAVE_EXTINCTION = vec3f(1.0, 0.3, 0.1);
 const DOME_OCTAVE_ASYMMETRY = vec3f(1.0, 0.6, 0.2);
-// Share of the light that droplets diffract, and the asymmetry of its lobe: less than the half that theory gives, because
-// the narrowest part of it cannot be told from light that passes.
+// Share of the light that droplets diffract, and the asymmetry of its lobe: less than the half that theory gives,
+// because the narrowest part of it cannot be told from light that passes.
 const DOME_DIFFRACTION_SHARE = 0.3;
 const DOME_DIFFRACTION_ASYMMETRY = 0.955;
 // Diffuse light that falls on cloud of the optical depth x passes with the fraction 1 / (1 + DOME_DIFFUSE * x).
@@ -133,15 +133,15 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
   return out;
 }
 
-// Phase function of ice crystals, 1/sr: plates and columns bend light forwards through their faces, and scatter the rest
-// widely. Two lobes for the former, for crystals of many sizes.
+// Phase function of ice crystals, 1/sr: plates and columns bend light forwards through their faces, and scatter the
+// rest widely. Two lobes for the former, for crystals of many sizes.
 fn dome_ice_phase(c: f32) -> f32 {
   return 0.35 * atm_henyey_greenstein(c, 0.92) + 0.4 * atm_henyey_greenstein(c, 0.7)
     + 0.25 * atm_henyey_greenstein(c, -0.1);
 }
 
-// Cirrus in a direction, with the sine `mu` of its elevation. `texel` is the size of a texel of the dome, rad, across the
-// ray's plane and in it.
+// Cirrus in a direction. `texel` is half the size of a texel of the dome, rad, across the vertical plane of the ray and
+// in it.
 fn dome_cirrus(dir: vec3f, texel: vec2f) -> DomeLight {
   let ray = cloud_turned(dir);
   let heading = normalize(ray.xz + vec2f(1e-9, 0.0));

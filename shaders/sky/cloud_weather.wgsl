@@ -8,7 +8,7 @@
 // Number of streets of heaps in a tile.
 const WEATHER_STREETS = 9.0;
 
-// Broken deck: value of its pattern at which the height is half of the highest, and the step for the differences, tiles.
+// Broken deck: value of its pattern at which the height is half of the highest, and the step, tiles, for differences.
 const WEATHER_DECK_EDGE = 0.35;
 const WEATHER_DECK_STEP = 0.002;
 
