@@ -23,7 +23,7 @@ const CIRRUS_OCTAVE_GAIN = vec4f(3.6, 3.4, 3.4, 3.0);
 // Fraction of the sides across by which the third coordinate moves on, so that fibres side by side differ: near the
 // golden section.
 const CIRRUS_SKEW = 0.382;
-// Turn of the fibres of the lower sheet against the wind at their height, in sides across for one side along the tile.
+// Turn of the fibres of the lower and the upper sheet against the wind, in sides across for one side along the tile.
 const CIRRUS_TURN = vec2f(-0.13, 0.1);
 // Streaks: number of samples between the end of a streak and its head, distance between them, tiles; share of ice that
 // is left from one to the next; sideways bend of a streak, tiles per tile squared; sides of the noise along and across
