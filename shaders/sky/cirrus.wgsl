@@ -49,7 +49,7 @@ fn cirrus_noise(u: vec2f, sides: vec2f, turn: f32, key: f32) -> f32 {
 
 // Share of waves of `length_km` that is left when the sheet is averaged over `size_km`.
 fn cirrus_left(length_km: f32, size_km: f32) -> f32 {
-  let ratio = 4.5 * size_km / length_km;
+  let ratio = 3.5 * size_km / length_km;
   return 1.0 / (1.0 + ratio * ratio);
 }
 

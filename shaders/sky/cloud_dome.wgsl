@@ -140,7 +140,7 @@ fn dome_ice_phase(c: f32) -> f32 {
     + 0.25 * atm_henyey_greenstein(c, -0.1);
 }
 
-// Cirrus in a direction. `texel` is half the size of a texel of the dome, rad, across the vertical plane of the ray and
+// Cirrus in a direction. `texel` is the size of a texel of the dome, rad, across the vertical plane of the ray and
 // in it.
 fn dome_cirrus(dir: vec3f, texel: vec2f) -> DomeLight {
   let ray = cloud_turned(dir);
@@ -228,7 +228,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var seen: DomeLight;
     if is_ice {
       let column = 2.0 * ATM_PI / f32(size.x);
-      seen = dome_cirrus(dir, 0.5 * vec2f(column, cloud_map_step(above) / f32(size.y)));
+      seen = dome_cirrus(dir, vec2f(column, cloud_map_step(above) / f32(size.y)));
     } else {
       seen = dome_march(dir, near, far);
     }
