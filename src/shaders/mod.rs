@@ -155,7 +155,17 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("sky/cloud_noise", &[MATHS, NOISE, part!("sky/cloud_noise.wgsl")]),
     ("sky/cloud_weather", &[MATHS, NOISE, ATMOSPHERE, CLOUD_KINDS, part!("sky/cloud_weather.wgsl")]),
     ("sky/cloud_shadow", &[AIR_TABLES, CLOUD_FIELD, part!("sky/cloud_shadow.wgsl")]),
-    ("sky/cloud_dome", &[SKY, CLOUD_MAP, CLOUD_FIELD, part!("sky/squalls.wgsl"), part!("sky/cloud_dome.wgsl")]),
+    (
+        "sky/cloud_dome",
+        &[
+            SKY,
+            CLOUD_MAP,
+            CLOUD_FIELD,
+            part!("sky/squalls.wgsl"),
+            part!("sky/dome_cirrus.wgsl"),
+            part!("sky/cloud_dome.wgsl"),
+        ],
+    ),
     ("sky/environment", &[SKY, CLOUDY_SKY, part!("sky/environment.wgsl")]),
     ("sky/filter", &[part!("sky/filter.wgsl")]),
     ("sky/mirrored", &[MIRRORED_MAP, part!("sky/mirrored.wgsl")]),
