@@ -22,12 +22,12 @@ const TONE_FILM_SATURATION = 1.1;
 // warm colours stay as they are.
 const TONE_FILM_BLUE_TURN = 0.14;
 // Binary logarithm of the light of the brightest channel from which highlights fade no further.
-const TONE_FILM_WHITEST = 4.0;
-// Shoulder: highlights are held back from this binary logarithm of the light on, until they rise by no more than this
-// many doublings. Between the logarithms of the release the hold ends, so that the disc of the sun is white and the
-// light around it keeps its hue.
-const TONE_FILM_SHOULDER = vec2f(0.5, 2.02);
-const TONE_FILM_RELEASE = vec2f(4.0, 9.0);
+const TONE_FILM_WHITEST = 5.0;
+// Shoulder: from this binary logarithm of the light on, light is held back, in the end by this share of its doublings.
+// It never stops to rise: so the glow around the sun falls off over all its decades and keeps its hue, and the disc of
+// the sun in it is white.
+const TONE_FILM_SHOULDER = -0.5;
+const TONE_FILM_HELD = 0.56;
 
 fn tone_film_response(log_light: vec4f) -> vec4f {
   let light = exp2(TONE_FILM_CONTRAST * log_light);
@@ -40,10 +40,8 @@ fn tone_film(linear: vec3f) -> vec3f {
   let light = clamp(linear, vec3f(1e-6), vec3f(1e6));
   let logs = log2(light);
   let most = max(logs.r, max(logs.g, logs.b));
-  let over = max(most - TONE_FILM_SHOULDER.x, 0.0);
-  let bent = over * (1.0 / TONE_FILM_SHOULDER.y);
-  let hold = over * (1.0 - inverseSqrt(1.0 + bent * bent))
-    * (1.0 - smoothstep(TONE_FILM_RELEASE.x, TONE_FILM_RELEASE.y, most));
+  let over = max(most - TONE_FILM_SHOULDER, 0.0);
+  let hold = TONE_FILM_HELD * over * over / (over + 1.0);
   let held = most - hold;
   // Light brighter than TONE_FILM_WHITEST, such as the low sun, keeps the tint that light of that brightness has.
   let tinted = light * exp2(min(TONE_FILM_WHITEST, held) - most);

@@ -22,6 +22,10 @@ const DOME_LEAST_TRANSMITTANCE = 0.01;
 const DOME_OCTAVE_WEIGHT = vec3f(1.0, 1.0, 2.0);
 const DOME_OCTAVE_EXTINCTION = vec3f(1.0, 0.3, 0.1);
 const DOME_OCTAVE_ASYMMETRY = vec3f(1.0, 0.6, 0.2);
+// Share of the light that droplets diffract, and the asymmetry of its lobe: less than the half that theory gives,
+// because the narrowest part of it cannot be told from light that passes.
+const DOME_DIFFRACTION_SHARE = 0.3;
+const DOME_DIFFRACTION_ASYMMETRY = 0.955;
 // Diffuse light that falls on cloud of the optical depth x passes with the fraction 1 / (1 + DOME_DIFFUSE * x).
 const DOME_DIFFUSE = 0.1;
 // Share of the sunlight on the top of a cloud that diffuses down beyond the reach of the octaves.
@@ -29,13 +33,16 @@ const DOME_SUN_IN_DEPTH = 0.22;
 // Share of the diffuse light that reaches the bottom of a crease between two heads.
 const DOME_CREASE = 0.35;
 
-// Phase function of droplets, 1/sr: forward and backward lobes. The three components are for the octaves.
+// Phase function of droplets, 1/sr: forward and backward lobes. The three components are for the octaves. Light that is
+// scattered once has a narrower lobe besides, by diffraction: it gives thin edges before the sun their bright rims.
 fn dome_phase(c: f32) -> vec3f {
   let g = DOME_OCTAVE_ASYMMETRY;
   var out: vec3f;
   for (var i = 0; i < 3; i++) {
     out[i] = 0.72 * atm_henyey_greenstein(c, 0.82 * g[i]) + 0.28 * atm_henyey_greenstein(c, -0.25 * g[i]);
   }
+  let diffracted = atm_henyey_greenstein(c, DOME_DIFFRACTION_ASYMMETRY);
+  out.x = mix(out.x, diffracted, DOME_DIFFRACTION_SHARE);
   return out * DOME_OCTAVE_WEIGHT;
 }
 
@@ -173,8 +180,15 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let near = cloud_distance_to(cloud_field.base_km, dir.y);
   let far = min(cloud_distance_to(cloud_field.base_km + 1.0 / cloud_field.layers_per_km, dir.y), DOME_FAR_KM);
   var out = vec4f(0.0, 0.0, 0.0, 1.0);
-  if near < far {
-    let seen = dome_march(dir, near, far);
+  let is_ice = cloud_field.kind == CLOUD_CIRRUS;
+  if near < far || is_ice {
+    var seen: DomeLight;
+    if is_ice {
+      let column = 2.0 * ATM_PI / f32(size.x);
+      seen = dome_cirrus(dir, vec2f(column, cloud_map_step(above) / f32(size.y)));
+    } else {
+      seen = dome_march(dir, near, far);
+    }
     if seen.transmittance < 0.999 {
       let h = atm_altitude_along_ray(0.0, dir.y, seen.distance_km);
       let nu = dot(dir, sky.sun_direction);

@@ -1,14 +1,6 @@
 // Density of the clouds at a point. Positions are in km in the frame of the field: x along the wind, y above the sea, z
 // across the wind. Needs the module variables cloud_field, weather_map, cloud_noise_map and cloud_sampler.
 
-// Cirrus: shift of its fibres by the bends of the wind, in sides of the noise; shift by the turn of the wind with
-// height, 1/km; fall of a patch's density towards its
-// edge, 1/km; mean density of its fibres, and the density below which they have dissolved, relative to the densest.
-const CIRRUS_BEND = 5.0;
-const CIRRUS_HOOK_PER_KM = 0.3;
-const CIRRUS_PATCH_PER_KM = 0.9;
-const CIRRUS_STRANDS = 0.45;
-const CIRRUS_DISSOLVED = 0.08;
 // Share of the noise's cuts that is left where a heap of cloud is thin.
 const CLOUD_THIN_CUT = 0.3;
 
@@ -18,10 +10,7 @@ fn cloud_depth(p: vec3f) -> vec4f {
   let map = textureSampleLevel(weather_map, cloud_sampler, p.xz * cloud_field.tiles_per_km, 0.0);
   let rise = (p.y - cloud_field.base_km) * cloud_field.layers_per_km;
   let along = map.g * cloud_field.tiles_per_km;
-  var room = map.r - rise;
-  if cloud_field.kind == CLOUD_CIRRUS {
-    room = map.r - 2.0 * abs(rise - 0.5);
-  }
+  let room = map.r - rise;
   // Height above the surface over its steepness is the distance from the surface.
   let slope = sqrt(along * along + cloud_field.layers_per_km * cloud_field.layers_per_km);
   return vec4f(room / slope, room / cloud_field.layers_per_km, map.ba / cloud_field.shapes_per_km);
@@ -32,25 +21,6 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   let depth = place.x;
   // Shifts hide that the noise repeats.
   let p = at + vec3f(place.z, 0.0, place.w);
-  if cloud_field.kind == CLOUD_CIRRUS {
-    // Fibres are drawn out along the wind. Those side by side bend together, because the wind turns over tens of km.
-    let s = cloud_field.shapes_per_km;
-    let wind = vec3f(p.x / 46.0, 0.3 * p.y, p.z / 31.0) * s;
-    let bend = textureSampleLevel(cloud_noise_map, cloud_sampler, wind, 0.0).b - 0.5;
-    // Ice that falls below the head of a fibre lags behind, into wind of another direction: a hook.
-    let fallen_km = cloud_field.base_km + 1.0 / cloud_field.layers_per_km - p.y;
-    let across = p.z + CIRRUS_BEND * bend / s + CIRRUS_HOOK_PER_KM * fallen_km * fallen_km;
-    // The cuts through the noise slant by the golden section, so that what lies side by side does not repeat.
-    let slanted = vec2f(p.y + 0.618 * across + 0.05 * p.x, across);
-    let wide = textureSampleLevel(cloud_noise_map, cloud_sampler, vec3f(p.x / 9.0, 0.6 * slanted) * s, 0.0).b;
-    let r = vec3f(p.x / 16.0 + 0.6 * bend, slanted) * cloud_field.details_per_km;
-    let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, r, 0.0).b;
-    // Fibres thin out at their ends and towards the edge of a patch.
-    let cover = 0.5 + CIRRUS_PATCH_PER_KM * depth;
-    let strands = CIRRUS_STRANDS + cloud_field.shape_amplitude * (wide - 0.5)
-      + detail * cloud_field.detail_amplitude * (fine - 0.5);
-    return (saturate(cover) * strands + min(cover, 0.0) - CIRRUS_DISSOLVED) / cloud_field.sharpness;
-  }
   let shape = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.shapes_per_km, 0.0).r;
   // Few heads stand free of the cloud.
   let amplitude = cloud_field.shape_amplitude;

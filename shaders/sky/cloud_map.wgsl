@@ -10,6 +10,11 @@ fn cloud_map_elevation(rise: f32) -> f32 {
   return rise * rise * (0.5 * ATM_PI);
 }
 
+// Change of the elevation, rad, with the coordinate.
+fn cloud_map_step(above: f32) -> f32 {
+  return ATM_PI * cloud_map_rise(above);
+}
+
 // Texture coordinates of a direction. `size` is that of the dome, texels.
 fn cloud_map_uv(heading: vec2f, above: f32, size: vec2f) -> vec2f {
   return vec2f(atan2(heading.x, -heading.y) / (2.0 * ATM_PI), atm_table_coordinate(cloud_map_rise(above), size.y));

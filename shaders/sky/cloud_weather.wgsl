@@ -8,6 +8,10 @@
 // Number of streets of heaps in a tile.
 const WEATHER_STREETS = 9.0;
 
+// Broken deck: value of its pattern at which the height is half of the highest, and the step, tiles, for differences.
+const WEATHER_DECK_EDGE = 0.35;
+const WEATHER_DECK_STEP = 0.002;
+
 fn weather_random(cell: vec2i, period: i32, key: u32) -> vec4f {
   let wrapped = ((cell % period) + period) % period;
   return noise_pcg4d_unit(vec4u(vec2u(wrapped), key, u32(period)));
@@ -67,17 +71,28 @@ fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> 
   return high;
 }
 
-// Distance to the nearest of random points, one in each cell, in cells.
-fn weather_cells(at: vec2f, cells: i32, key: u32) -> f32 {
+// Square of the distance to the nearest of random points, one in each cell, in cells. Points differ by `spread` in this
+// square, so that the areas that lie nearest to them have many sizes.
+fn weather_cells(at: vec2f, cells: i32, spread: f32, key: u32) -> f32 {
   let p = at * f32(cells);
   let cell = vec2i(floor(p));
   var nearest = 4.0;
   for (var i = 0; i < 9; i++) {
     let off = vec2i(i % 3, i / 3) - 1;
-    let d = vec2f(cell + off) + weather_random(cell + off, cells, key).xy - p;
-    nearest = min(nearest, dot(d, d));
+    let random = weather_random(cell + off, cells, key);
+    let d = vec2f(cell + off) + random.xy - p;
+    nearest = min(nearest, dot(d, d) + spread * (random.z - 0.5));
   }
-  return sqrt(nearest);
+  return nearest;
+}
+
+// Height of a broken deck, as a fraction of the layer: pancakes in patches, parted by cracks. They have steep sides and
+// nearly level tops.
+fn weather_deck(at: vec2f, cover: f32) -> f32 {
+  let pancakes = 0.4 - weather_cells(at, 19, 0.5, 5u) + 0.75 * (0.33 - weather_cells(at, 47, 0.6, 6u));
+  let patches = weather_fractal(at, 5, 17u);
+  let n = 1.4 * pancakes + 1.0 * patches - 0.45 - 0.41 * weather_normal_quantile(cover);
+  return n * (1.0 + WEATHER_DECK_EDGE) / (abs(n) + WEATHER_DECK_EDGE);
 }
 
 // The value that a normal variable exceeds with the probability `share`, to 1 % of its deviation.
@@ -102,13 +117,14 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let narrow = weather_heaps(at, 47, 0.4 * area, 1.15 * cloud_field.steepness / 47.0, 11u);
     high = select(narrow, wide, wide.x > narrow.x);
   } else if cloud_field.kind == CLOUD_STRATOCUMULUS {
-    // Pancakes that are longer across the wind than along it, parted by cracks.
-    let pancakes = 0.62 - weather_cells(at, 26, 5u) + 0.35 * (0.62 - weather_cells(at, 55, 6u));
-    let patches = weather_fractal(at, 5, 17u);
-    let n = 1.5 * pancakes + 1.1 * patches;
-    high.x = 0.62 * (n - 0.3 - 0.46 * weather_normal_quantile(cover));
+    // Differences between neighbours give the steepness.
+    let next = vec2f(WEATHER_DECK_STEP, 0.0);
+    let here = weather_deck(at, cover);
+    let slope = vec2f(weather_deck(at + next.xy, cover), weather_deck(at + next.yx, cover)) - here;
+    high = vec2f(0.85 * here, 0.85 * length(slope) / WEATHER_DECK_STEP);
   } else if cloud_field.kind == CLOUD_CIRRUS {
-    let n = weather_fractal(vec2f(at.x, at.y), 4, 23u) + 0.35 * weather_fractal(at, 11, 29u);
+    // Bands that are longer along the wind. The whole numbers keep the tile without a seam.
+    let n = weather_fractal(vec2f(at.x + at.y, 2.0 * at.y), 3, 23u) + 0.35 * weather_fractal(at, 11, 29u);
     high.x = 1.6 * (n - 0.31 * weather_normal_quantile(cover));
   } else {
     // A storm deck has few gaps at any cover.

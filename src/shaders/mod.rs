@@ -67,7 +67,8 @@ const PICTURE: SourcePart = SourcePart::Group(&[
 const CLOUDY_SKY: SourcePart = SourcePart::Group(&[CLOUD_MAP, part!("sky/clouds.wgsl")]);
 const CLOUD_MAP: SourcePart = part!("sky/cloud_map.wgsl");
 const CLOUD_KINDS: SourcePart = part!("sky/cloud_kinds.wgsl");
-const CLOUD_FIELD: SourcePart = SourcePart::Group(&[CLOUD_KINDS, part!("sky/cloud_field.wgsl")]);
+const CLOUD_FIELD: SourcePart =
+    SourcePart::Group(&[CLOUD_KINDS, part!("sky/cloud_field.wgsl"), part!("sky/cirrus.wgsl")]);
 /// WGSL mapping of the table of the mirrored sky.
 const MIRRORED_MAP: SourcePart = part!("sky/mirrored_map.wgsl");
 /// WGSL functions for the position of the water surface, displaced by the waves.
@@ -154,7 +155,17 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("sky/cloud_noise", &[MATHS, NOISE, part!("sky/cloud_noise.wgsl")]),
     ("sky/cloud_weather", &[MATHS, NOISE, ATMOSPHERE, CLOUD_KINDS, part!("sky/cloud_weather.wgsl")]),
     ("sky/cloud_shadow", &[AIR_TABLES, CLOUD_FIELD, part!("sky/cloud_shadow.wgsl")]),
-    ("sky/cloud_dome", &[SKY, CLOUD_MAP, CLOUD_FIELD, part!("sky/squalls.wgsl"), part!("sky/cloud_dome.wgsl")]),
+    (
+        "sky/cloud_dome",
+        &[
+            SKY,
+            CLOUD_MAP,
+            CLOUD_FIELD,
+            part!("sky/squalls.wgsl"),
+            part!("sky/dome_cirrus.wgsl"),
+            part!("sky/cloud_dome.wgsl"),
+        ],
+    ),
     ("sky/environment", &[SKY, CLOUDY_SKY, part!("sky/environment.wgsl")]),
     ("sky/filter", &[part!("sky/filter.wgsl")]),
     ("sky/mirrored", &[MIRRORED_MAP, part!("sky/mirrored.wgsl")]),

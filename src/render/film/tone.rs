@@ -43,7 +43,7 @@ pub const NOON_EXPOSURE: f32 = 0.786;
 pub const FINISHED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// Factor on the exposure of a camera that faces the sun or its glitter on the sea, which fill the picture with light:
-/// down to 0.36.
+/// down to 0.28.
 fn facing_sun_factor(scene: &Scene) -> f64 {
     let sky = &scene.look.sky;
     let sun = glam::DVec3::from(sky.sun_direction());
@@ -58,7 +58,7 @@ fn facing_sun_factor(scene: &Scene) -> f64 {
     // A sky image contains its own clouds.
     let overcast = if sky.panorama().is_some() { 0.0 } else { sky.overcast };
     let brightness = up * (1.0 - overcast).powi(2) * (1.0 - (1.0 - by_sun) * (1.0 - by_glitter));
-    1.0 / (1.0 + 1.8 * brightness)
+    1.0 / (1.0 + 2.6 * brightness)
 }
 
 /// Factor on the automatic exposure by where the camera is and looks.

@@ -104,9 +104,9 @@ const STRATOCUMULUS: Kind = Kind {
     extinction_per_km: 45.0,
     shape_km: 1.6,
     detail_km: 0.4,
-    shape_amplitude_km: 0.25,
-    detail_amplitude_km: 0.09,
-    soft_km: [0.08, 0.13],
+    shape_amplitude_km: 0.45,
+    detail_amplitude_km: 0.13,
+    soft_km: [0.05, 0.1],
     base_bump_km: 0.1,
     stride: 0.7,
     ..CUMULUS

@@ -1,0 +1,109 @@
+// Cirrus: ice so thin that two sheets stand for it, which a ray meets at one point each. The upper sheet is a veil with
+// long fibres, the lower one holds heads from which ice falls in streaks. Positions are in km in the frame of the
+// clouds' field. Needs the module variables of cloud_field.wgsl.
+
+// Heights of the lower and the upper sheet above the base of the layer, in thicknesses.
+const CIRRUS_RISES = vec2f(0.15, 0.85);
+// Sheets beyond the second distance, km, are lost in the haze; they fade from the first one on.
+const CIRRUS_FAR_KM = vec2f(170.0, 300.0);
+// Optical depth of the streaks of the lower sheet and of the upper sheet, straight up, where the weather map is full,
+// divided by that of dense cloud through the whole layer.
+const CIRRUS_DEPTHS = vec2f(0.6, 0.2);
+// Value of the weather map at which the sheets begin, and the reciprocal of the range in which they become full. Their
+// optical depth rises with the square, so most of what is seen is faint.
+const CIRRUS_EDGE = 0.3;
+const CIRRUS_PER_RISE = 1.1;
+// Fibres: octaves of noise, by the number of the noise's sides along and across a tile. All numbers are whole, so that
+// the tile repeats without a seam. The logarithm of the optical depth is their sum: measured cirrus has such a
+// distribution, with many faint places and few dense ones.
+const CIRRUS_OCTAVES = 4;
+const CIRRUS_ALONG = vec4f(1.0, 2.0, 5.0, 11.0);
+const CIRRUS_ACROSS = vec4f(7.0, 19.0, 53.0, 149.0);
+const CIRRUS_OCTAVE_GAIN = vec4f(3.6, 3.4, 3.4, 3.0);
+// Fraction of the sides across by which the third coordinate moves on, so that fibres side by side differ: near the
+// golden section.
+const CIRRUS_SKEW = 0.382;
+// Turn of the fibres of the lower and the upper sheet against the wind, in sides across for one side along the tile.
+const CIRRUS_TURN = vec2f(-0.13, 0.1);
+// Streaks: number of samples between the end of a streak and its head, distance between them, tiles; share of ice that
+// is left from one to the next; sideways bend of a streak, tiles per tile squared; sides of the noise along and across
+// a tile for the heads, and the values of the noise between which they become dense.
+const CIRRUS_FALL_STEPS = 10;
+const CIRRUS_FALL_STEP = 0.008;
+const CIRRUS_FALL_LEFT = 0.84;
+const CIRRUS_HOOK = 2.0;
+const CIRRUS_HEADS = vec2f(3.0, 31.0);
+const CIRRUS_HEAD_EDGE = vec2f(0.6, 0.85);
+// Standard deviation of the noise, and length of its longest waves, sides.
+const CIRRUS_NOISE_DEVIATION = 0.16;
+const CIRRUS_NOISE_LENGTH = 0.25;
+
+// Smooth noise around 0 at `u` in tiles, with the given sides along and across a tile; `turn` turns it, and `key`
+// chooses another part of it.
+fn cirrus_noise(u: vec2f, sides: vec2f, turn: f32, key: f32) -> f32 {
+  let across = sides.y * u.y + round(turn * sides.y) * u.x;
+  let slice = key + round(CIRRUS_SKEW * sides.y) * u.y + u.x;
+  let at = vec3f(sides.x * u.x, slice, across);
+  return textureSampleLevel(cloud_noise_map, cloud_sampler, at, 0.0).b - 0.5;
+}
+
+// Share of waves of `length_km` that is left when the sheet is averaged over `size_km`.
+fn cirrus_left(length_km: f32, size_km: f32) -> f32 {
+  let ratio = 3.5 * size_km / length_km;
+  return 1.0 / (1.0 + ratio * ratio);
+}
+
+// Optical depth, straight up, of a sheet at a point: 0 is the lower one. `size_km` is the length that it is averaged
+// over, along the wind and across it.
+fn cirrus_depth(place: vec2f, sheet: u32, size_km: vec2f) -> f32 {
+  let bare = place * cloud_field.tiles_per_km + select(vec2f(0.0), vec2f(0.37, 0.61), sheet == 1u);
+  let map = textureSampleLevel(weather_map, cloud_sampler, bare, 0.0).r;
+  let full = saturate(CIRRUS_PER_RISE * (map + CIRRUS_EDGE));
+  if full <= 0.0 {
+    return 0.0;
+  }
+  // Winds turn over tens of km: all fibres bend with them, by waves that are as long as the tile or half of it.
+  let turns = 2.0 * ATM_PI * vec3f(bare.x + bare.y, bare.x - 2.0 * bare.y + 0.3, 2.0 * bare.x + bare.y + 0.6);
+  let u = bare + vec2f(0.0, dot(sin(turns), vec3f(0.028, 0.02, 0.013)));
+  let turn = CIRRUS_TURN[sheet];
+  let key = 0.41 * f32(sheet);
+  let broad = cirrus_noise(u, vec2f(1.0, 2.0), turn, key + 0.17);
+  // Some places are an even veil, others all fibres.
+  let fibrous = smoothstep(-0.2, 0.12, broad);
+  var log_depth = 0.0;
+  var variance = 0.0;
+  for (var i = 0; i < CIRRUS_OCTAVES; i++) {
+    let sides = vec2f(CIRRUS_ALONG[i], CIRRUS_ACROSS[i]);
+    let lengths = CIRRUS_NOISE_LENGTH / (cloud_field.tiles_per_km * sides);
+    let left = cirrus_left(lengths.x, size_km.x) * cirrus_left(lengths.y, size_km.y);
+    let gain = CIRRUS_OCTAVE_GAIN[i] * left * mix(0.3, 1.0, fibrous);
+    if gain > 0.1 {
+      log_depth += gain * cirrus_noise(u, sides, turn, key + 0.29 * f32(i));
+      variance += gain * gain * (CIRRUS_NOISE_DEVIATION * CIRRUS_NOISE_DEVIATION);
+    }
+  }
+  var depth = full * full * exp(log_depth - 0.5 * variance);
+  if sheet == 0u {
+    depth *= cirrus_streaks(u, turn, size_km);
+  }
+  return depth * CIRRUS_DEPTHS[sheet] * cloud_field.extinction_per_km / cloud_field.layers_per_km;
+}
+
+// Ice at `u`, tiles, that has fallen from heads upwind: it lags behind into wind of another direction, so that streaks
+// bend, and thins out on its way.
+fn cirrus_streaks(u: vec2f, turn: f32, size_km: vec2f) -> f32 {
+  let lengths = CIRRUS_NOISE_LENGTH / (cloud_field.tiles_per_km * CIRRUS_HEADS);
+  let left = cirrus_left(lengths.x, 0.5 * size_km.x) * cirrus_left(lengths.y, size_km.y);
+  var sum = 0.0;
+  var weight = 1.0;
+  var whole = 0.0;
+  for (var i = 0; i < CIRRUS_FALL_STEPS; i++) {
+    let fallen = CIRRUS_FALL_STEP * f32(i);
+    let source = u + vec2f(fallen, CIRRUS_HOOK * fallen * fallen);
+    let noise = 0.5 + left * cirrus_noise(source, CIRRUS_HEADS, turn, 0.77);
+    sum += weight * smoothstep(CIRRUS_HEAD_EDGE.x, CIRRUS_HEAD_EDGE.y, noise + 0.06 * (1.0 - left));
+    whole += weight;
+    weight *= CIRRUS_FALL_LEFT;
+  }
+  return 3.0 * sum / whole;
+}

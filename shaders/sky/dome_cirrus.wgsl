@@ -1,0 +1,44 @@
+// Cirrus (cirrus.wgsl) as seen from the sea, for the dome of clouds. Needs the structs of cloud_dome.wgsl.
+
+// Phase function of ice crystals, 1/sr: plates and columns bend light forwards through their faces, and scatter the
+// rest widely. Two lobes for the former, for crystals of many sizes.
+fn dome_ice_phase(c: f32) -> f32 {
+  return 0.35 * atm_henyey_greenstein(c, 0.92) + 0.4 * atm_henyey_greenstein(c, 0.7)
+    + 0.25 * atm_henyey_greenstein(c, -0.1);
+}
+
+// Cirrus in a direction. `texel` is the size of a texel of the dome, rad, across the vertical plane of the ray and
+// in it.
+fn dome_cirrus(dir: vec3f, texel: vec2f) -> DomeLight {
+  let ray = cloud_turned(dir);
+  let heading = normalize(ray.xz + vec2f(1e-9, 0.0));
+  let phase = dome_ice_phase(dot(dir, sky.sun_direction));
+  var out = DomeLight(0.0, 0.0, 0.0, 1.0, CIRRUS_FAR_KM.y);
+  var seen = 1e-6;
+  var distance_sum = 0.0;
+  for (var i = 0u; i < 2u; i++) {
+    let height = cloud_field.base_km + CIRRUS_RISES[i] / cloud_field.layers_per_km;
+    let t = cloud_distance_to(height, dir.y);
+    // Sine of the ray's elevation where it meets the sheet.
+    let mu = (ATM_EARTH_RADIUS_KM * dir.y + t) / (ATM_EARTH_RADIUS_KM + height);
+    let size = t * texel * vec2f(length(ray.xz), 1.0 / mu);
+    let size_km = vec2f(length(size * heading.yx), length(size * heading.xy));
+    let place = cloud_field.eye_km + ray.xz * t;
+    let fade = 1.0 - smoothstep(CIRRUS_FAR_KM.x, CIRRUS_FAR_KM.y, t);
+    let depth = fade * cirrus_depth(place, i, size_km);
+    let passed = exp(-depth / mu);
+    let share = out.transmittance * (1.0 - passed);
+    // Half of the sheet lies before what is seen, on the way of the sunlight and on that of the view.
+    let sunlit = exp(-0.5 * depth / max(sky.sun_direction.y, 0.2));
+    // Light that is scattered more than once comes from all sides.
+    let again = 0.5 * (1.0 - sunlit) / ATM_PI;
+    out.sun += share * (phase * sunlit + again);
+    out.sky += share * 0.5;
+    out.sea += share * 0.5;
+    seen += share;
+    distance_sum += share * t;
+    out.transmittance *= passed;
+  }
+  out.distance_km = distance_sum / seen;
+  return out;
+}
