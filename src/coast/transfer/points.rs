@@ -5,6 +5,7 @@ use super::setup::Setup;
 use super::shore::{Shore, neighbours};
 use super::swash::{Swash, smooth_step};
 use crate::coast::bathymetry::Bathymetry;
+use crate::coast::incident::Incident;
 use crate::coast::local_wave::LocalWave;
 use crate::coast::losses::Dissipation;
 
@@ -17,6 +18,9 @@ const MAX_SHORT_GAIN: f64 = 1.3;
 /// Depth, m, above which waves outside the transfer have their height, if the transfer has none that tell what
 /// becomes of them.
 const UNTOUCHED_M: f64 = 0.5;
+/// Share of the sea's variance from which the shortest third of a transfer's waves tell what becomes of shorter ones. In a
+/// sea of short waves, those of the transfer may be far in the tail of the spectrum.
+const LEAST_SHORT_SHARE: f64 = 1e-4;
 /// Largest fraction of waves that break.
 const MAX_BREAKING: f64 = 0.97;
 /// Least depth of the water in the balance of the set-up, m.
@@ -88,9 +92,11 @@ fn weight(grid: &Bathymetry, point: usize) -> f64 {
 fn short_gain(setup: &Setup, short: &ShortWaves<'_>) -> Vec<f64> {
     let grid = &setup.grid;
     let is_wet = |point: usize| grid.depth_m[point] > 0.0;
+    let sea_m2: f64 = setup.bins.iter().map(Incident::variance_m2).sum();
+    let are_known = short.open_m2 > LEAST_SHORT_SHARE * sea_m2;
     let gain = |point: usize| {
         let depth_m = f64::from(grid.depth_m[point]);
-        if short.open_m2 > 0.0 {
+        if are_known {
             (short.solved_m2[point] / short.open_m2).sqrt().min(MAX_SHORT_GAIN)
         } else {
             smooth_step(depth_m / UNTOUCHED_M)

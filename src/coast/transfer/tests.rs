@@ -196,6 +196,18 @@ fn waves_break_in_the_thinnest_water() {
     assert!(heights_m(5) > 5.0 * thin && heights_m(48) >= 10.0 * thin, "{} {} {thin}", heights_m(5), heights_m(48));
 }
 
+/// All waves of a transfer may be longer than those of a sea of short waves, whose energy is then none of theirs. Such a
+/// sea keeps its height in deep water.
+#[test]
+fn a_sea_of_short_waves_does_not_vanish() {
+    let sea = plan("wind=6&fetch=20&depth=11.4&n=64");
+    let bar = BuiltInCoast::find("bar").expect("a coast");
+    let coast = PlacedCoast::built_in(bar, &PlacingOptions::default()).expect("a coast");
+    let transfer = solved(&sea, &coast, &TransferLimits { points: 60, ..TransferLimits::default() });
+    let deep: Vec<f32> = transfer.points.iter().filter(|p| p.depth_m > 2.0).map(|p| p.short_gain).collect();
+    assert!(deep.len() > 500 && deep.iter().all(|gain| *gain > 0.9), "{deep:?}");
+}
+
 #[test]
 fn every_built_in_coast_has_a_transfer() {
     for coast in &crate::coast::built_in::BUILT_IN {
