@@ -41,9 +41,6 @@ fn land_open_sky(place: vec2f, height: f32, size: f32) -> f32 {
   return 1.0 / (1.0 + 0.55 * max(near, 0.0) + 0.09 * max(around, 0.0));
 }
 
-// Standard deviation of the slopes of a film of water on sand.
-const LAND_FILM_ROUGHNESS = 0.025;
-
 // Light that a film of water mirrors towards the eye (rgb), and its reflectance (w).
 fn land_film_mirror(v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
   let square = 1.0 + dot(slope, slope);

@@ -30,6 +30,8 @@ const SHORE_CLIFF_M = 24.0;
 const SHORE_CLIFF_SLOPES = 2.0;
 // Depth of the water, m, up to which it is too thin for a cloud of bubbles: the sand shows through.
 const SHORE_CLEAR_M = 0.35;
+// Depth of the water, m, from which waves keep their slopes: thinner water lies on the sand like the film beside it.
+const SHORE_THIN_M = 0.30;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 
@@ -45,6 +47,18 @@ fn bed_shore_ground(ground: BedGround, at: vec2f, column: f32, size: f32) -> Bed
   let middle = land_noise(place.yx, LAND_MIDDLE_M, size);
   let sand = (1.0 / LAND_DRY) * land_sand_albedo(middle, land_noise(land_turned(place), LAND_FINE_M, size));
   return BedGround(mix(ground.albedo, sand, share), ground.slope * (1.0 - share * share));
+}
+
+// Slopes of the water at a place with the ground of land_at below it, where its surface has the height `height`, m.
+fn shore_thin_slope(slope: WaterSlope, ground: vec4f, height: f32) -> WaterSlope {
+  // Water that washes rock is no film.
+  let sand = maths_smooth(2.0 - 5.0 * length(ground.yz));
+  let share = sand * (1.0 - maths_smooth((height - ground.x) / SHORE_THIN_M));
+  var out = slope;
+  out.mean = mix(slope.mean, land_to_world(ground.yz), share);
+  out.variance = mix(slope.variance, vec3f(vec2f(LAND_FILM_ROUGHNESS * LAND_FILM_ROUGHNESS), 0.0), share);
+  out.half_slope_difference *= 1.0 - share;
+  return out;
 }
 
 // Height that the waves run up the land, m, at a point (x, z) relative to the one below the eye.
@@ -89,11 +103,9 @@ fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, heigh
 }
 
 // The foam of a pixel, with that of the swash, which carries it at its edge, and with the collar of foam around rock and
-// walls. `at` is the pixel's place relative to the point below the eye, `height` the height of the water there, m, and
-// `size` the width of the pixel's texels, m.
-fn shore_add_lace(foam: FoamAmount, at: vec2f, height: f32, size: f32) -> FoamAmount {
-  let place = land_place(at);
-  let ground = land_at(place, land_lod(size));
+// walls. `ground` is that of land_at, `at` the pixel's place relative to the point below the eye, `height` the height of
+// the water there, m, and `size` the width of the pixel's texels, m.
+fn shore_add_lace(foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, size: f32) -> FoamAmount {
   // No collar reaches deeper than one of the highest waves.
   if -ground.x > 2.0 * SHORE_COLLAR_DEPTH * land.run_up_m {
     return foam;
@@ -108,7 +120,7 @@ fn shore_add_lace(foam: FoamAmount, at: vec2f, height: f32, size: f32) -> FoamAm
     out = shore_more_foam(out, lively * max(SHORE_LACE_COVER * line, sheet), line);
   }
   out.plume *= maths_smooth(column / SHORE_CLEAR_M);
-  let hard = shore_hardness(ground, place, size);
+  let hard = shore_hardness(ground, land_place(at), size);
   if hard > 0.0 {
     out = shore_add_collar(out, ground, hard, at, height);
   }

@@ -68,6 +68,12 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     slope.mean += wake.slope;
     slope.variance *= wake.rough;
   }
+  var ground: vec4f;
+  if WATER_LAND {
+    let size = WATER_TAP_TEXEL_RATIO * foot.length_m;
+    ground = land_at(land_place(point.position.xz), land_lod(size));
+    slope = shore_thin_slope(slope, ground, point.height);
+  }
   let n = water_normal(slope.mean);
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
@@ -100,7 +106,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if WATER_FOAM {
     foam = foam_level(point.undisplaced, foot);
     if WATER_LAND {
-      foam = shore_add_lace(foam, point.position.xz, point.height, WATER_TAP_TEXEL_RATIO * foot.length_m);
+      foam = shore_add_lace(foam, ground, point.position.xz, point.height, WATER_TAP_TEXEL_RATIO * foot.length_m);
     }
     if WATER_HULLS {
       foam = wake_add_foam(foam, wake);
