@@ -7,8 +7,8 @@ use std::f64::consts::TAU;
 /// Largest delay of the waves at the waterline, s, and the lengths of the lobes along the coast's y axis, m, into which it
 /// bends their crests, each with its share and its phase, rad. Cusps of a beach, which are smaller than the cells of a
 /// grid, do so in nature; without them, crests and the edge of the water would be straight lines.
-const LOBE_DELAY_S: f64 = 1.6;
-const LOBES: [[f64; 3]; 3] = [[127.0, 0.3, 0.3], [71.0, 0.3, 2.1], [43.0, 0.4, 4.4]];
+const LOBE_DELAY_S: f64 = 1.3;
+const LOBES: [[f64; 3]; 3] = [[127.0, 0.4, 0.3], [71.0, 0.35, 2.1], [43.0, 0.25, 4.4]];
 
 /// The points of a shore, those nearest to the open water first.
 pub(super) struct Shore {
