@@ -19,8 +19,8 @@ const MAX_SHORT_GAIN: f64 = 1.3;
 /// becomes of them.
 const UNTOUCHED_M: f64 = 0.5;
 /// Share of the sea's variance from which the shortest third of a transfer's waves tell what becomes of shorter ones. In a
-/// sea of short waves, those of the transfer may be far in the tail of the spectrum.
-const LEAST_SHORT_SHARE: f64 = 1e-4;
+/// sea of short waves, those of the transfer may be so far in the tail of the spectrum that numbers cannot hold them.
+const LEAST_SHORT_SHARE: f64 = 1e-8;
 /// Largest fraction of waves that break.
 const MAX_BREAKING: f64 = 0.97;
 /// Least depth of the water in the balance of the set-up, m.
