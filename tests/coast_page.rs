@@ -83,7 +83,7 @@ fn a_coast_of_the_panel_is_chosen_solved_and_undone() {
     assert_eq!((now.coast.name, now.sea.depth_m), (CoastName::Bar, 11.4));
     assert!(now.camera.x_m.hypot(now.camera.z_m) > 100.0, "the camera is before the shore: {:?}", now.camera);
     harness.get_by_label_contains("A sand bar along a beach");
-    // What has changed with the coast is told, and how far its waves are, once.
+    // A message tells the new depth and view. The progress of the solution stands in one place only.
     harness
         .get_by_label("Bar and channel: the water is 11.4 m deep instead of 4000 m, and you stand before the shore.");
     assert_eq!(harness.query_all_by_label_contains("Waves find their way ashore").count(), 1);

@@ -1,4 +1,4 @@
-//! What the panel explains to a visitor: why waves are as high as they are, and what can be typed.
+//! Sentences of the panel that explain the height of the waves, and words that a visitor can type in place of numbers.
 
 mod common;
 
@@ -109,7 +109,7 @@ fn a_phone_hides_the_line_about_frames_until_it_is_asked_for() {
     harness.get_by_label_contains("ms a frame");
 }
 
-/// What was copied is said where the button is, and measured waves say whence they are.
+/// "Link copied." appears beside the button that copies. The text over the sea names the file of a measured spectrum.
 #[test]
 fn the_panel_says_what_was_copied_and_whence_waves_are() {
     let mut harness = open("wind=8&n=64&pause=1", [900.0, 900.0]);

@@ -74,8 +74,8 @@ fn faults(shapes: &[ClippedShape], window: egui::Rect) -> Vec<String> {
     faults
 }
 
-/// What is wrong with the place of a wide window's panel: its end must not lie below the window's, because what is
-/// there cannot be scrolled to.
+/// An error text if the panel of a wide window reaches below the window's lower edge: rows below that edge cannot be
+/// scrolled into view.
 fn panel_outside(harness: &Harness<'static, App>) -> Option<String> {
     let window = harness.ctx.content_rect();
     let panel = harness.ctx.memory(|m| m.area_rect(egui::Id::unique("panel")))?;

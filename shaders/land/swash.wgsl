@@ -5,8 +5,6 @@ const SWASH_SOFTNESS = 0.4;
 const SWASH_OPACITY = 0.62;
 // Weights of patches of metres and of strands of decimetres in the pattern; their squares add up to 1.
 const SWASH_WEIGHTS = vec2f(0.6, 0.8);
-// Reciprocal of the standard deviation of their noise.
-const SWASH_PER_DEVIATION = 6.08;
 // Albedo of old foam.
 const SWASH_ALBEDO = 0.55;
 
@@ -37,7 +35,7 @@ fn swash_foam(at: vec2f, size: f32, film: f32) -> f32 {
   let patches = material_noise(FOAM_PATCH_LAYER, at, lods.x).r;
   let strands = material_noise(FOAM_STRAND_LAYER, at, lods.y).r;
   let noise = vec2f(patches, strands) - 0.5;
-  let z = SWASH_PER_DEVIATION * dot(SWASH_WEIGHTS, noise);
+  let z = dot(SWASH_WEIGHTS * FOAM_PER_DEVIATION.yz, noise);
   let edge = sqrt(1.0 + SWASH_SOFTNESS * SWASH_SOFTNESS) * maths_normal_quantile(clamp(cover, 1e-4, 1.0 - 1e-4));
   let unresolved = 1.0 - dot(SWASH_WEIGHTS * SWASH_WEIGHTS, kept);
   return SWASH_OPACITY * maths_normal_cdf((z + edge) * inverseSqrt(SWASH_SOFTNESS * SWASH_SOFTNESS + unresolved));

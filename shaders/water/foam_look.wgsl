@@ -15,8 +15,6 @@ const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.68, 0.6, 0.41);
 // Factors on the weights of the layers (material.rs), which grow with the wind, in the oldest foam and in new foam.
 const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
 const FOAM_NEW_WEIGHTS = vec4f(0.5, 0.8, 1.05, 1.2);
-// Reciprocal of the standard deviations of the values of cloud (evenly spread) and of lace and lumps (normal).
-const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
 // Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
 const FOAM_FILM_SOFTNESS = 0.5;
 const FOAM_BODY_SOFTNESS = vec2f(0.3, 0.34);

@@ -8,3 +8,6 @@ const FOAM_WINDROW_LAYER = 0u;
 const FOAM_PATCH_LAYER = 1u;
 const FOAM_STRAND_LAYER = 2u;
 const FOAM_THREAD_LAYER = 3u;
+// Reciprocals of the standard deviations of the noise of these layers: that of windrows is evenly spread, the others are
+// normal.
+const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);

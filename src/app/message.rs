@@ -24,7 +24,7 @@ pub struct Message {
     pub text: String,
     /// Time at which the message disappears, s on egui's clock. The first frame that shows the message sets it.
     end_s: Option<f64>,
-    /// What a button beside the message brings back.
+    /// Coast, depth and camera that the button Undo beside the message restores; no button without them.
     undo: Option<Box<PlaceBefore>>,
 }
 

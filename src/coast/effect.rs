@@ -1,4 +1,5 @@
-//! What a coast makes of the waves in a few numbers: how high they arrive and grow, and where they begin to break.
+//! Wave heights before a coast and at their highest, and the depth and distance from the shore at which waves begin to
+//! break.
 
 use super::bathymetry::Bathymetry;
 use super::sea_maps::usual_largest;
