@@ -126,3 +126,33 @@ fn the_panel_says_what_was_copied_and_whence_waves_are() {
     let mut titles = harness.query_all_by_label_contains("two-systems.txt, ");
     assert!(titles.any(|title| summary.contains_rect(title.rect())), "whence they are stands over the sea");
 }
+
+/// A click on a number below the slider of the wind sets its force.
+#[test]
+fn the_marks_of_the_wind_can_be_clicked() {
+    let mut harness = open("wind=5&n=64&pause=1", [900.0, 1500.0]);
+    for (force, wind_m_s) in [(7.0, 15.5), (5.0, 9.3)] {
+        let slider = harness.get_by_label("Beaufort").rect();
+        // The middle of the handle keeps its radius away from both ends.
+        let range = slider.x_range().shrink(slider.height() / 2.5);
+        let place = egui::pos2(range.min + range.span() * force / 12.0, slider.bottom() + 8.0);
+        harness.drag_at(place);
+        harness.drop_at(place);
+        harness.run_steps(6);
+        assert_eq!(params(&harness).sea.first_system().wind_m_s, wind_m_s, "force {force}");
+    }
+}
+
+/// A button gives the light of a time of the day, whether the sun stands by hand or by hour and date.
+#[test]
+fn a_button_makes_it_dusk() {
+    for (state, has_sun) in [("sun=30&n=64&pause=1", true), ("sunby=date&day=80&lat=45&hour=9&n=64&pause=1", false)] {
+        let mut harness = open(state, [900.0, 1500.0]);
+        click(&mut harness, "Dusk");
+        let sky = params(&harness).look.sky;
+        let [elevation_deg, _] = sky.sun_elevation_azimuth_deg();
+        assert!((elevation_deg + 4.0).abs() < 0.02, "{state}: {elevation_deg}");
+        assert_eq!(harness.state().state().contains("sun=-4"), has_sun, "{}", harness.state().state());
+        assert!(harness.query_by_label_contains("dusk or dawn").is_some());
+    }
+}

@@ -10,7 +10,7 @@ use std::time::Duration;
 /// Least time for which a message with a button stays visible, s.
 const BUTTON_DURATION_S: f64 = 10.0;
 /// Least time for which a message stays visible, s.
-const MESSAGE_DURATION_S: f64 = 4.0;
+const MESSAGE_DURATION_S: f64 = 7.0;
 /// Time in which one letter of a message is read at leisure, s.
 const LETTER_DURATION_S: f64 = 0.07;
 /// Distance of the message from the edges of the sea, points.

@@ -127,5 +127,6 @@ impl App {
 
 /// File name of a saved picture, with wind speed (m/s) and time (s), such as `seastate-wind14-t40.png`.
 fn picture_name(params: &Params) -> String {
-    format!("seastate-wind{:.0}-t{:.0}.png", params.sea.first_system().wind_m_s, params.clock.t_s)
+    let wind_m_s = (10.0 * params.sea.first_system().wind_m_s).round() / 10.0;
+    format!("seastate-wind{wind_m_s}-t{:.0}.png", params.clock.t_s)
 }

@@ -50,7 +50,10 @@ pub fn show_map(app: &mut App, ui: &mut egui::Ui) {
             ui.selectable_value(&mut app.coast.maps.quantity, quantity, tr(name));
         }
     });
-    let Some(statistics) = app.coast.maps.statistics().cloned() else { return };
+    let Some(statistics) = app.coast.maps.statistics().cloned() else {
+        ui.weak(tr("The map appears when the waves have found their way ashore."));
+        return;
+    };
     let of = (statistics.clone(), app.coast.maps.quantity, app.length_scale());
     let is_same = |p: &MapPicture| Arc::ptr_eq(&p.of.0, &of.0) && (p.of.1, p.of.2) == (of.1, of.2);
     let picture = app.panel.coast_map.take().filter(is_same).unwrap_or_else(|| MapPicture::new(of, ui.ctx()));

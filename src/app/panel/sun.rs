@@ -12,6 +12,17 @@ const TIME_LAPSE_H_PER_MIN: f64 = 4.0;
 /// Speeds of the time-lapse that the number beside its button takes, h/min.
 const TIME_LAPSE_RANGE_H_PER_MIN: std::ops::RangeInclusive<f64> = 0.1..=60.0;
 
+/// Lights of the day that a button gives: name, and height of the sun, degrees.
+const LIGHTS: [(&str, f64); 5] = [
+    (text!("Day"), 40.0),
+    (text!("Low sun"), 8.0),
+    (text!("Sunset"), 0.0),
+    (text!("Dusk"), -4.0),
+    (text!("Night"), -15.0),
+];
+/// Difference of the sun's height from that of a button, up to which the button counts as chosen, degrees.
+const SAME_LIGHT_DEG: f64 = 0.1;
+
 /// Heights at which the sun counts as low, degrees: from the end of nautical twilight to golden light.
 const LOW_SUN_DEG: std::ops::Range<f64> = -12.0..10.0;
 /// Time after which a rising sun is seen to be higher, h.
@@ -67,6 +78,25 @@ pub fn show_rise_and_set(params: &Params, ui: &mut egui::Ui) {
     if sky.sun_placement == SunPlacement::Date && sky.panorama().is_none() {
         ui.add(egui::Label::new(egui::RichText::new(rise_and_set_in_words(&sky)).weak()).wrap());
     }
+}
+
+/// Adds a button for each light of the day, if the sun is not that of a sky from a file.
+pub fn show_lights(app: &mut App, ui: &mut egui::Ui) {
+    let (sky, t_s) = (&mut app.params.look.sky, app.params.clock.t_s);
+    if sky.panorama().is_some() {
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.label(tr("Light"));
+        let [elevation_deg, _] = sky.at_time(t_s).sun_elevation_azimuth_deg();
+        for (name, height_deg) in LIGHTS {
+            let is_chosen = (elevation_deg - height_deg).abs() < SAME_LIGHT_DEG;
+            let help = say!("Puts the sun at a height of {degrees}°.", degrees = height_deg);
+            if ui.selectable_label(is_chosen, tr(name)).on_hover_text(help).clicked() {
+                sky.set_sun_height(height_deg, t_s);
+            }
+        }
+    });
 }
 
 /// Adds the button that lets the sun's day run, and its speed while it runs.

@@ -99,6 +99,7 @@ fn hour_of_now(p: &Params) -> String {
 fn time_of_light(p: &Params) -> &'static str {
     match sun::sky_of_now(p).sun_elevation_azimuth_deg()[0] {
         x if x < -12.0 => text!("night"),
+        x if x < -6.0 => text!("late dusk or early dawn"),
         x if x < 0.0 => text!("dusk or dawn"),
         x if x < 10.0 => text!("golden light"),
         x if x < 35.0 => text!("morning or afternoon"),
@@ -111,6 +112,8 @@ pub fn show_weather(app: &mut App, ui: &mut egui::Ui) {
     wind::show_wind(app, ui);
     show_rows(app, ui, &WIND_ROWS);
     ui.separator();
+    sun::show_lights(app, ui);
+    ui.separator();
     let swell_before = app.params.sea.systems[1].clone();
     show_rows(app, ui, &SWELL_ROWS);
     // Whoever moves a slider of the swell wants one.
@@ -118,20 +121,22 @@ pub fn show_weather(app: &mut App, ui: &mut egui::Ui) {
     if *swell != swell_before && !swell.is_on() {
         swell.height_factor = 1.0;
     }
-    if swell.is_on() && ui.button(tr("No swell")).clicked() {
-        swell.height_factor = 0.0;
-    }
-    if let Some(sum) = summary::heights_in_words(app) {
-        ui.weak(sum);
-    }
+    ui.horizontal_wrapped(|ui| {
+        let swell = &mut app.params.sea.systems[1];
+        if swell.is_on() && ui.button(tr("No swell")).clicked() {
+            swell.height_factor = 0.0;
+        }
+        if let Some(sum) = summary::heights_in_words(app) {
+            ui.weak(sum);
+        }
+    });
     ui.separator();
     show_rows(app, ui, &WATER_ROWS);
     coast::show_coast(app, ui);
+    coast::show_map_and_effects(app, ui);
     ui.separator();
     show_sun(app, ui);
     show_rows(app, ui, &SKY_ROWS);
-    ui.separator();
-    coast::show_map_and_effects(app, ui);
 }
 
 /// Adds the rows that place the sun, by direction or by date, and the button that changes between the two.

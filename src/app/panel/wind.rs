@@ -134,7 +134,9 @@ pub fn show_force_slider(app: &mut App, ui: &mut egui::Ui) {
             show_speed(app, ui);
             place
         });
-        show_force_marks(slider.inner, number.round() as usize, ui);
+        if let Some(pressed) = show_force_marks(slider.inner, number.round() as usize, ui) {
+            number = pressed as f64;
+        }
     });
     let number = number.round() as usize;
     if number != force {
@@ -160,10 +162,14 @@ fn show_speed(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// Adds a tick for each force below the slider at `slider`, and numbers at as many of them as there is room for.
-fn show_force_marks(slider: egui::Rect, force: usize, ui: &mut egui::Ui) {
+/// Adds a tick for each force below the slider at `slider`, and numbers at as many of them as there is room for. Returns
+/// the force whose mark was clicked.
+fn show_force_marks(slider: egui::Rect, force: usize, ui: &mut egui::Ui) -> Option<usize> {
     let [height, tick] = MARKS_POINTS;
-    let (row, _) = ui.allocate_exact_size(egui::vec2(slider.width(), height), egui::Sense::hover());
+    // The slider above is what keys and screen readers use, so the marks take no focus.
+    let (id, space) = ui.allocate_space(egui::vec2(slider.width(), height));
+    let row = egui::Rect::from_x_y_ranges(slider.x_range(), space.y_range());
+    let clicked = ui.interact(row, id, egui::Sense::CLICK);
     // The middle of a slider's handle keeps its radius away from the ends: egui's `SliderGeometry::handle_radius`.
     let range = slider.x_range().shrink(slider.height() / 2.5);
     let distance = range.span() / 12.0;
@@ -178,6 +184,8 @@ fn show_force_marks(slider: egui::Rect, force: usize, ui: &mut egui::Ui) {
             ui.painter().text(at, egui::Align2::CENTER_BOTTOM, number, font, colour);
         }
     }
+    let at = clicked.interact_pointer_pos().filter(|_| clicked.clicked())?;
+    Some(((at.x - range.min) / distance).round().clamp(0.0, 12.0) as usize)
 }
 
 /// The first force with a number, and the step from one number to the next, for marks at this distance, points.

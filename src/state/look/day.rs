@@ -76,6 +76,24 @@ impl SkyLook {
         }
     }
 
+    /// Moves the sun to a height above the horizon, degrees, where it stands. If a date places it, the hour becomes that of
+    /// the afternoon or evening at which it is nearest to this height, and a running day stops at the simulated time `t_s`.
+    pub fn set_sun_height(&mut self, elevation_deg: f64, t_s: f64) {
+        if self.sun_placement == SunPlacement::Direction {
+            self.sun_elevation_deg = elevation_deg;
+            return;
+        }
+        self.set_daylight(0.0, t_s);
+        // The sun sinks from noon to midnight, so halving finds the hour.
+        let (mut high_h, mut low_h) = (12.0, 24.0);
+        for _ in 0..20 {
+            let middle_h = 0.5 * (high_h + low_h);
+            let is_high = sun::elevation_azimuth_deg(self.day, middle_h, self.latitude_deg)[0] > elevation_deg;
+            if is_high { high_h = middle_h } else { low_h = middle_h }
+        }
+        self.hour = (1e3 * high_h).round() / 1e3;
+    }
+
     /// Places the sun by direction, where it is at the simulated time `t_s`.
     pub fn place_sun_by_direction(&mut self, t_s: f64) {
         let [elevation_deg, azimuth_deg] = self.at_time(t_s).sun_elevation_azimuth_deg();
@@ -98,6 +116,25 @@ fn day_and_hour(day: f64, hour: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_sun_moves_to_a_height() {
+        let mut by_hand = SkyLook { sun_elevation_deg: 30.0, ..SkyLook::default() };
+        by_hand.set_sun_height(-4.0, 7.0);
+        assert_eq!(by_hand, SkyLook { sun_elevation_deg: -4.0, ..SkyLook::default() });
+        let mut sky = dated(80.0, 9.0, 4.0);
+        sky.set_sun_height(-4.0, 7.0);
+        let [elevation_deg, azimuth_deg] = sky.sun_elevation_azimuth_deg();
+        assert!((elevation_deg + 4.0).abs() < 0.02 && azimuth_deg > 180.0, "{elevation_deg} {azimuth_deg}");
+        assert_eq!(sky.daylight_h_per_min, 0.0);
+        // No evening is as bright as noon in winter, and no night as dark in summer at high latitudes.
+        let mut winter = dated(355.0, 9.0, 0.0);
+        winter.set_sun_height(80.0, 0.0);
+        assert_eq!(winter.hour, 12.0);
+        let mut summer = SkyLook { latitude_deg: 78.0, ..dated(172.0, 9.0, 0.0) };
+        summer.set_sun_height(-15.0, 0.0);
+        assert_eq!(summer.hour, 24.0);
+    }
 
     fn dated(day: f64, hour: f64, daylight_h_per_min: f64) -> SkyLook {
         SkyLook { sun_placement: SunPlacement::Date, day, hour, daylight_h_per_min, ..SkyLook::default() }
