@@ -92,7 +92,8 @@ pub fn show_lights(app: &mut App, ui: &mut egui::Ui) {
         for (name, height_deg) in LIGHTS {
             let is_chosen = (elevation_deg - height_deg).abs() < SAME_LIGHT_DEG;
             let help = say!("Puts the sun at a height of {degrees}°.", degrees = height_deg);
-            if ui.selectable_label(is_chosen, tr(name)).on_hover_text(help).clicked() {
+            let button = egui::Button::new(tr(name)).selected(is_chosen);
+            if ui.add(button).on_hover_text(help).clicked() {
                 sky.set_sun_height(height_deg, t_s);
             }
         }
