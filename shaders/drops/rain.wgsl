@@ -11,8 +11,8 @@ const RAIN_EXPOSURE_S = 0.006;
 const RAIN_FORWARD_SHARE = 0.5;
 const RAIN_ASYMMETRY = 0.7;
 const RAIN_SKY_SHARE = 0.32;
-// Distances from the eye over which drops appear, m.
-const RAIN_NEAR_M = vec2f(0.4, 1.0);
+// Distances from the eye over which drops appear, m: a lens that is focused on the sea blurs nearer ones away.
+const RAIN_NEAR_M = vec2f(1.0, 2.5);
 // Number of cells along a side of the square of splashes (`SPLASH_SIDE` in src/render/drops/rain.rs).
 const RAIN_SPLASH_SIDE = 64u;
 // Height and half width of the column of water that a drop throws up, m.

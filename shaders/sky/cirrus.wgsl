@@ -8,7 +8,7 @@ const CIRRUS_RISES = vec2f(0.15, 0.85);
 const CIRRUS_FAR_KM = vec2f(170.0, 300.0);
 // Optical depth of the streaks of the lower sheet and of the upper sheet, straight up, where the weather map is full,
 // divided by that of dense cloud through the whole layer.
-const CIRRUS_DEPTHS = vec2f(0.6, 0.2);
+const CIRRUS_DEPTHS = vec2f(0.3, 0.24);
 // Value of the weather map at which the sheets begin, and the reciprocal of the range in which they become full. Their
 // optical depth rises with the square, so most of what is seen is faint.
 const CIRRUS_EDGE = 0.3;
@@ -33,7 +33,7 @@ const CIRRUS_FALL_STEP = 0.008;
 const CIRRUS_FALL_LEFT = 0.84;
 const CIRRUS_HOOK = 2.0;
 const CIRRUS_HEADS = vec2f(3.0, 31.0);
-const CIRRUS_HEAD_EDGE = vec2f(0.6, 0.85);
+const CIRRUS_HEAD_EDGE = vec2f(0.48, 0.9);
 // Standard deviation of the noise, and length of its longest waves, sides.
 const CIRRUS_NOISE_DEVIATION = 0.16;
 const CIRRUS_NOISE_LENGTH = 0.25;
