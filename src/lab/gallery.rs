@@ -46,7 +46,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Trade wind",
         description: "9 m/s from the east, a fully developed sea with fair-weather cumulus, and the swell of a storm \
-                      far to the north: a yacht runs before the wind.",
+                      far to the north: a yacht sails close to the wind.",
         state: "v=2&spectrum=pm&wind=9&dir=80&scale2=1&dir2=340&hs2=2&tp2=13&sun=34&sunaz=205&clouds=cumulus\
                 &cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=3.5&heading=250&pitch=2&fov=45&t=40&afloat=yacht*-44*26",
     },
