@@ -27,12 +27,12 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   }
   // Hollows see less of the sky, and light is lost between their walls.
   let hollow = clamp(foam.grain, -0.2, 1.2);
-  let open = (0.55 + 0.45 * n.y) * (0.65 + 0.7 * hollow);
+  let open = (0.55 + 0.45 * n.y) * (0.5 + hollow);
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
   let albedo = material.foam_colour * thin * (FOAM_ALBEDO * (0.9 + 0.2 * hollow));
   let behind = max(-dot(v, l), 0.0);
   let glow = FOAM_GLOW * behind * behind * saturate(8.0 * l.y);
-  let sunlight = shadow_sun_irradiance() * (foam.lit * wrapped * (0.7 + 0.6 * hollow) + glow);
+  let sunlight = shadow_sun_irradiance() * (foam.lit * wrapped * (0.45 + 1.1 * hollow) + glow);
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {
     return body;
