@@ -37,9 +37,12 @@ const FOAM_BODY_HEIGHT_M = vec2f(0.03, 0.25);
 const FOAM_RELIEF_STEP_M = vec3f(0.4, 0.08, 0.01);
 const FOAM_SHADOW_STEP_M = 1.5;
 // Part of the sunlight that a billow takes from the next one: foam lets light through, and scatters it about.
-const FOAM_SHADOW = 0.75;
+const FOAM_SHADOW = 0.65;
 // Share of billows in the height of a front's grain, relative to that of lumps.
 const FOAM_BILLOW_GRAIN = 1.2;
+// Grain by which the mean light of uneven foam exceeds that of its mean grain: half the variance of the grain of lumps,
+// times the natural logarithm of the change of light with it (FOAM_HOLLOW_STOPS).
+const FOAM_GRAIN_SKEW = 0.045;
 // Fraction of the foam that belongs to fronts, from which billows show.
 const FOAM_MIN_BILLOWING = 0.2;
 // Height of the relief of the oldest foam and of new foam, relative to that of a front.
@@ -157,7 +160,7 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
     let far = material_noise(FOAM_BILLOW_LAYER, place.at + FOAM_SHADOW_STEP_M * sun, lods.billow).a - 0.5;
     let ray_m = FOAM_SHADOW_STEP_M * frame.sun_direction.y * inverseSqrt(flat_square);
     let over = height_m * (far - place.heights.x) - ray_m;
-    lit = 1.0 - FOAM_SHADOW * maths_smooth(0.5 + over * (0.5 / FOAM_LUMP_HEIGHT_M.x));
+    lit = 1.0 - FOAM_SHADOW * maths_smooth(0.5 + over * (0.3 / FOAM_LUMP_HEIGHT_M.x));
   }
   if sees_bubbles {
     let fine = material_noise(FOAM_THREAD_LAYER, place.at + steps.z * sun, lods.layers.w).a - 0.5 - place.heights.z;
@@ -215,6 +218,9 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   out.film *= (1.0 - amount.fresh) / max(out.cover, 1e-4);
   // Billows are higher where foam covers; the grain is relative to their mean there.
   out.grain = 0.5 + 1.3 * (out.grain - FOAM_BILLOW_GRAIN * pattern.usual) + 0.7 * place.heights.z;
+  // Light grows exponentially with the grain, and this keeps its mean.
+  let billowing = FOAM_BILLOW_GRAIN * pattern.turn.y;
+  out.grain -= FOAM_GRAIN_SKEW * (kept.z + billowing * billowing * kept.y);
   let aged = mix(FOAM_AGED_RELIEF.x, FOAM_AGED_RELIEF.y, amount.young);
   let strength = material.foam_relief * mix(aged, 1.0, amount.fresh);
   let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;
