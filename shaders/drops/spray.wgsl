@@ -15,7 +15,7 @@ const SPRAY_SIDE = 96u;
 // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
 const SPRAY_COARSE_SHARE = 0.25;
 // Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(1.0, 0.7);
+const SPRAY_OPTICAL_DEPTH = vec2f(0.9, 0.7);
 // Exposure time over which a puff moves in the picture, s.
 const SPRAY_EXPOSURE_S = 0.02;
 // Range of the front of a breaker over which it throws up spray.
@@ -34,7 +34,7 @@ const SPRAY_FORWARD_SKY = 0.7;
 const SPRAY_SKY_LOD = 3.0;
 const SPRAY_LOWEST_SKY = 0.05;
 // Highest speed at which eddies lift mist, relative to that of the wind.
-const SPRAY_LIFT = 0.09;
+const SPRAY_LIFT = 0.07;
 // Fraction of the light that reaches a puff at the root of the spray, and how much brighter its sunlit side is.
 const SPRAY_ROOT_LIGHT = 0.5;
 const SPRAY_ROUNDNESS = 0.3;
@@ -135,7 +135,7 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   let young_m = cell_m * select(0.6 + 0.7 * random.z, 0.35 + 0.45 * random.z, is_coarse);
   let growth = select(0.6 + 1.9 * sqrt(age), 0.7 + 1.0 * age, is_coarse);
   out.radius_m = young_m * growth;
-  out.stretch = select(1.3 + 1.5 * age, 1.2, is_coarse);
+  out.stretch = select(1.5 + 2.3 * age, 1.2, is_coarse);
   out.open = mix(SPRAY_ROOT_LIGHT, 1.0, maths_smooth(3.0 * age));
   let life = maths_smooth(age * 8.0) * pow(1.0 - age, select(2.5, 2.0, is_coarse));
   let depths = select(SPRAY_OPTICAL_DEPTH.x, SPRAY_OPTICAL_DEPTH.y, is_coarse);

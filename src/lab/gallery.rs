@@ -59,9 +59,11 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Southern Ocean storm",
-        description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough.",
-        state: "v=2&wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1&gusts=1\
-                &spray=1&bloom=0.04&y=3&heading=261&pitch=2&fov=22&t=43",
+        description: "Beaufort 10 over 800 km of open water, a significant height of 17 m: a low sun reaches a breaker \
+                      before a squall.",
+        state: "v=2&wind=28&fetch=800&dir=270&sun=10&sunaz=190&haze=0.5&overcast=0.55&clouds=stratocumulus\
+                &cloudcover=0.76&squalls=0.8&glints=1&gusts=1&spray=1&exposure=-0.3&bloom=0.04&y=3&heading=264\
+                &pitch=0.5&fov=25&t=43",
     },
     GalleryPicture {
         title: "Spindrift",
