@@ -15,7 +15,7 @@ const SPRAY_SIDE = 96u;
 // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
 const SPRAY_COARSE_SHARE = 0.25;
 // Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(0.9, 0.7);
+const SPRAY_OPTICAL_DEPTH = vec2f(1.2, 0.5);
 // Exposure time over which a puff moves in the picture, s.
 const SPRAY_EXPOSURE_S = 0.02;
 // Range of the front of a breaker over which it throws up spray.
@@ -45,6 +45,8 @@ const SPRAY_DRIFT_SLOPE = 2.0;
 const SPRAY_DRIFT_PARTS = 256.0;
 // Contrast, in stops, of drifts (x), and of the noise of mist (y) and of coarse drops (z).
 const SPRAY_CONTRAST = vec3f(4.0, 3.0, 3.5);
+// By how much low noise shortens the radius of a puff, relative to its square.
+const SPRAY_TORN_EDGE = 1.6;
 // Tiles of noise in the radius of a puff: of mist (x) and of coarse drops (y).
 const SPRAY_NOISE_TILES = vec2f(0.25, 0.45);
 
@@ -118,7 +120,7 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   let relaxation_s = select(0.12 + 0.25 * more.y, 0.45, is_coarse);
   let fall = select(0.3 + 0.5 * more.y, 3.0 + 2.0 * more.y, is_coarse);
   let across = vec2f(-spray.downwind.y, spray.downwind.x);
-  let jet = sqrt(frame.hs_m) * select(0.4 + 0.6 * more.z, 0.4 + 0.8 * more.z, is_coarse);
+  let jet = sqrt(frame.hs_m) * select(0.3 + 0.5 * more.z, 0.4 + 0.6 * more.z, is_coarse);
   let sideways = (random.z - 0.5) * across;
   let start = (spray.breaker_speed_m_s * (0.8 + 0.5 * random.w)) * spray.downwind + 2.0 * sideways;
   let gust = spray.wind_m_s * (0.75 + 0.35 * more.w);
@@ -231,10 +233,11 @@ fn spray_mean(contrast: f32) -> f32 {
 
 @fragment
 fn fragment(in: SprayFragment) -> @location(0) vec4f {
-  let inside = saturate(1.0 - dot(in.at, in.at));
   let drift = textureSampleLevel(noise_map, noise_sampler, in.drift, 0, in.sharp.x).b - 0.5;
   let own_at = in.noise.xy + in.at * in.noise.zw;
   let own = textureSampleLevel(noise_map, noise_sampler, own_at, 0, in.sharp.y).b - 0.5;
+  // Where the noise is low, the puff reaches less far, so that its edge is torn and not a circle.
+  let inside = saturate(1.0 - dot(in.at, in.at) * (1.0 + SPRAY_TORN_EDGE * (0.5 - own)));
   let scene_m = frame.clip_from_relative[3].z / max(textureLoad(depth_map, vec2i(in.clip.xy), 0), 1e-9);
   let free = saturate((scene_m - in.depth.x) / in.depth.y);
   let clumped = exp2(SPRAY_CONTRAST.x * drift + in.sharp.z * own) * in.sharp.w;
