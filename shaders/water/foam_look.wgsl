@@ -27,7 +27,7 @@ const FOAM_NEW_OPACITY = vec2f(0.26, 0.44);
 const FOAM_FRONT_OPACITY = vec2f(0.36, 0.62);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
-const FOAM_FRONT_SHIFT = vec2f(0.2, -0.5);
+const FOAM_FRONT_SHIFT = vec2f(0.35, -0.45);
 // Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
 // centimetres (z), m.
 const FOAM_LUMP_HEIGHT_M = vec3f(0.5, 0.11, 0.008);
