@@ -6,39 +6,65 @@
 // moved from X to X + c a since. So the height of X at the birth is that of X + c a now, and X had a breaking front if
 // X + c a has one now and bubbles have been left at X.
 
+@group(0) @binding(9) var<uniform> material: Material;
 @group(2) @binding(0) var<uniform> spray: Spray;
 @group(2) @binding(1) var depth_map: texture_depth_2d;
 
 // Number of places along a side of a grid (`SIDE` in src/render/drops/spray.rs).
 const SPRAY_SIDE = 96u;
 // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
-const SPRAY_COARSE_SHARE = 0.35;
+const SPRAY_COARSE_SHARE = 0.25;
 // Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(0.6, 0.8);
+const SPRAY_OPTICAL_DEPTH = vec2f(0.95, 0.5);
 // Exposure time over which a puff moves in the picture, s.
 const SPRAY_EXPOSURE_S = 0.02;
 // Range of the front of a breaker over which it throws up spray.
 const SPRAY_FRONT_RANGE = vec2f(0.3, 0.8);
 // Distances from the eye over which puffs appear, m.
 const SPRAY_NEAR_M = vec2f(1.5, 5.0);
-// Share of the sunlight that drops scatter forwards, and the asymmetry of that lobe; and the share of sunlight and
-// skylight that leaves a cloud of drops evenly, 1/sr.
+// Share of the sunlight that drops scatter forwards, and the asymmetry of that lobe; the share of sunlight and skylight
+// that leaves a cloud of drops evenly, 1/sr; and the share of the light of the sky behind it that it scatters forwards.
 const SPRAY_FORWARD_SHARE = 0.6;
 const SPRAY_ASYMMETRY = 0.74;
 const SPRAY_EVEN_SUN = 0.06;
-const SPRAY_EVEN_SKY = 0.24;
+const SPRAY_EVEN_SKY = 0.12;
+const SPRAY_FORWARD_SKY = 0.7;
+// Mip level of the environment map at which its texels are as wide as that lobe, and the lowest row of it that is read,
+// as a fraction of its height: rows below show the sea.
+const SPRAY_SKY_LOD = 3.0;
+const SPRAY_LOWEST_SKY = 0.05;
+// Highest speed at which eddies lift mist, relative to that of the wind.
+const SPRAY_LIFT = 0.07;
+// Fraction of the light that reaches a puff at the root of the spray, and how much brighter its sunlit side is.
+const SPRAY_ROOT_LIGHT = 0.5;
+const SPRAY_ROUNDNESS = 0.3;
+// Noise layer (src/render/water/material.rs) of the drifts in which puffs lie, how much faster they change upwards
+// than across, and the number of parts of its tile in which their way is counted, a power of two.
+const SPRAY_DRIFT_LAYER = 10u;
+const SPRAY_DRIFT_SLOPE = 2.0;
+const SPRAY_DRIFT_PARTS = 256.0;
+// Contrast, in stops, of drifts (x), and of the noise of mist (y) and of coarse drops (z).
+const SPRAY_CONTRAST = vec3f(4.0, 3.0, 3.5);
+// By how much low noise shortens the radius of a puff, relative to its square.
+const SPRAY_TORN_EDGE = 1.6;
+// Tiles of noise in the radius of a puff: of mist (x) and of coarse drops (y).
+const SPRAY_NOISE_TILES = vec2f(0.25, 0.45);
 
 struct SprayFragment {
   @builtin(position) clip: vec4f,
   // Position in the quad, -1 to 1 along and across the motion.
   @location(0) at: vec2f,
-  // Texture coordinates of the noise, and its mip level.
-  @location(1) @interpolate(flat) noise: vec4f,
-  @location(2) noise_lod: f32,
+  // Texture coordinates of the drifts, which neighbouring puffs share.
+  @location(1) drift: vec2f,
+  // Texture coordinates of the puff's own noise in its middle, and their change over half the quad along and across.
+  @location(2) @interpolate(flat) noise: vec4f,
+  // Mip levels of drifts (x) and of the puff's own noise (y), contrast of the latter (z), and its inverse mean (w).
+  @location(3) @interpolate(flat) sharp: vec4f,
   // Radiance behind the air, and the optical depth in the middle.
-  @location(3) @interpolate(flat) light: vec4f,
-  // Distance along the viewing direction, and over which the puff fades into what it touches, m.
-  @location(4) @interpolate(flat) depth: vec2f,
+  @location(4) @interpolate(flat) light: vec4f,
+  // Distance along the viewing direction, and over which the puff fades into what it touches, m. Direction to the sun
+  // along and across the quad.
+  @location(5) @interpolate(flat) depth: vec4f,
 }
 
 // Values of the foam map at an undisplaced position: foam, source, front and plume. The finest level is left out: its
@@ -70,8 +96,11 @@ struct SprayPuff {
   velocity: vec3f,
   radius_m: f32,
   optical_depth: f32,
-  // Length divided by width.
+  // Length divided by width, as seen from the side.
   stretch: f32,
+  // Fraction of the light that other spray lets through to it.
+  open: f32,
+  is_coarse: bool,
 }
 
 // A puff at the age `age` (a fraction of its life) from the undisplaced place `place`. `random` and `more` are uniform.
@@ -91,32 +120,53 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   let relaxation_s = select(0.12 + 0.25 * more.y, 0.45, is_coarse);
   let fall = select(0.3 + 0.5 * more.y, 3.0 + 2.0 * more.y, is_coarse);
   let across = vec2f(-spray.downwind.y, spray.downwind.x);
-  let jet = sqrt(frame.hs_m) * select(0.4 + 0.6 * more.z, 0.4 + 0.8 * more.z, is_coarse);
+  let jet = sqrt(frame.hs_m) * select(0.3 + 0.5 * more.z, 0.4 + 0.6 * more.z, is_coarse);
   let sideways = (random.z - 0.5) * across;
   let start = (spray.breaker_speed_m_s * (0.8 + 0.5 * random.w)) * spray.downwind + 2.0 * sideways;
   let gust = spray.wind_m_s * (0.75 + 0.35 * more.w);
   let carried = gust * spray.downwind + (0.2 * gust) * sideways;
-  let rest = vec3f(carried.x, -fall, carried.y);
+  // Eddies behind the crest lift some of the mist.
+  let lift = select(SPRAY_LIFT * spray.wind_m_s * random.z * random.z, 0.0, is_coarse);
+  let rest = vec3f(carried.x, lift - fall, carried.y);
   let change = vec3f(start.x, jet, start.y) - rest;
   let left = exp(-t / relaxation_s);
   out.position = vec3f(place.x, 0.0, place.y) + moved + rest * t + change * (relaxation_s * (1.0 - left));
   out.velocity = rest + change * left;
+  out.is_coarse = is_coarse;
   // Turbulence widens a puff, which thins.
-  let young_m = cell_m * select(0.4 + 0.4 * random.z, 0.3 + 0.3 * random.z, is_coarse);
-  let growth = select(0.7 + 1.8 * age, 0.7 + 1.0 * age, is_coarse);
+  let young_m = cell_m * select(0.6 + 0.7 * random.z, 0.35 + 0.45 * random.z, is_coarse);
+  let growth = select(0.6 + 1.9 * sqrt(age), 0.7 + 1.0 * age, is_coarse);
   out.radius_m = young_m * growth;
-  out.stretch = select(1.8 + 3.0 * age, 1.5, is_coarse);
-  let life = maths_smooth(age * 8.0) * pow(1.0 - age, select(3.0, 2.0, is_coarse));
+  out.stretch = select(1.5 + 2.3 * age, 1.2, is_coarse);
+  out.open = mix(SPRAY_ROOT_LIGHT, 1.0, maths_smooth(3.0 * age));
+  let life = maths_smooth(age * 8.0) * pow(1.0 - age, select(2.5, 2.0, is_coarse));
   let depths = select(SPRAY_OPTICAL_DEPTH.x, SPRAY_OPTICAL_DEPTH.y, is_coarse);
-  out.optical_depth = depths * torn * life / (growth * growth);
+  let thinned = select(1.0 - 0.7 * random.z * random.z, 1.0, is_coarse);
+  out.optical_depth = depths * torn * life * thinned / (growth * growth);
   return out;
 }
 
-// Radiance of spray that the optical depth makes opaque, before the air in front of it.
-fn spray_radiance(dir: vec3f, place: vec2f) -> vec3f {
+// Radiance of spray that the optical depth makes opaque, before the air in front of it. Drops scatter most of the light
+// forwards, so spray takes on the light of the sky behind it. The fraction `open` of the other light reaches it.
+fn spray_radiance(dir: vec3f, place: vec2f, open: f32) -> vec3f {
   let sun = drop_sunlight(place);
   let forwards = SPRAY_FORWARD_SHARE * atm_henyey_greenstein(dot(dir, frame.sun_direction), SPRAY_ASYMMETRY);
-  return sun * (forwards + SPRAY_EVEN_SUN) + light.sky_irradiance * SPRAY_EVEN_SKY;
+  let behind_at = vec2f(atan2(dir.x, -dir.z) / (2.0 * ATM_PI), 0.5 + max(dir.y / ATM_PI, SPRAY_LOWEST_SKY));
+  let behind = textureSampleLevel(environment_map, sky_sampler, behind_at, SPRAY_SKY_LOD).rgb;
+  let even = sun * SPRAY_EVEN_SUN + light.sky_irradiance * SPRAY_EVEN_SKY;
+  return open * even + sun * forwards + behind * SPRAY_FORWARD_SKY;
+}
+
+// Texture coordinates of the drifts at a point relative to the point below the eye, m. Drifts are noise in space that
+// does not change along lines which sink downwind, and that the wind carries along. Their way in a period is rounded to
+// a whole number of parts of the tile, so that whole numbers count it however late it is.
+fn spray_drift(point: vec3f) -> vec2f {
+  let layer = material.noise_layers[SPRAY_DRIFT_LAYER];
+  let way = layer.uv_from_position * spray.downwind;
+  let parts = vec2i(round((SPRAY_DRIFT_PARTS * spray.wind_m_s * spray.puff_s) * way));
+  let whole = (parts * bitcast<i32>(spray.moment)) & vec2i(i32(SPRAY_DRIFT_PARTS) - 1);
+  let passed = (vec2f(whole) + vec2f(parts) * spray.moment_fraction) / SPRAY_DRIFT_PARTS;
+  return layer.uv_below_eye + layer.uv_from_position * point.xz + (SPRAY_DRIFT_SLOPE * point.y) * way - fract(passed);
 }
 
 @vertex
@@ -145,38 +195,54 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
     return out;
   }
   let dir = centre / distance_m;
-  // The quad faces the eye, and is drawn out along the motion that the eye sees.
+  // The quad faces the eye. It is drawn out by as much of the motion as the eye sees.
   let seen = puff.velocity - dir * dot(puff.velocity, dir);
   let speed = max(length(seen), 1e-3);
   let along = seen / speed;
-  let long_m = puff.radius_m * puff.stretch + 0.5 * SPRAY_EXPOSURE_S * speed;
+  let side = cross(dir, along);
+  let drawn_out = 1.0 + (puff.stretch - 1.0) * speed / max(length(puff.velocity), speed);
+  let long_m = puff.radius_m * drawn_out + 0.5 * SPRAY_EXPOSURE_S * speed;
   let at = drop_corner(corner);
-  let point = centre + along * (at.x * long_m) + cross(dir, along) * (at.y * puff.radius_m);
+  let point = centre + along * (at.x * long_m) + side * (at.y * puff.radius_m);
   let drop = dot(point.xz, point.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
   out.clip = frame.clip_from_relative * vec4f(point.x, point.y - drop, point.z, 1.0);
   out.at = at;
-  let scale = 0.16;
-  out.noise = vec4f(random.wx, 0.3 * scale * long_m / puff.radius_m, scale);
-  out.noise_lod = log2(max(512.0 * scale * distance_m * frame.pixel_angle / puff.radius_m, 1.0));
+  out.drift = spray_drift(vec3f(point.x, point.y + frame.eye_height_m, point.z));
+  let pixel_m = distance_m * frame.pixel_angle;
+  let scale = select(SPRAY_NOISE_TILES.x, SPRAY_NOISE_TILES.y, puff.is_coarse);
+  out.noise = vec4f(random.wx, scale * long_m / puff.radius_m, scale);
+  let lod = max(log2(512.0 * scale * pixel_m / puff.radius_m), 0.0);
+  let drift_lod = max(log2(pixel_m) + material.noise_layers[SPRAY_DRIFT_LAYER].log_texels_per_m, 0.0);
+  let contrast = select(SPRAY_CONTRAST.y, SPRAY_CONTRAST.z, puff.is_coarse);
+  // Means of the exponentials of even noise fall to 1 as pixels grow and the mip levels of the noise become even.
+  let own = mix(spray_mean(contrast), 1.0, saturate(0.22 * lod));
+  let even = mix(spray_mean(SPRAY_CONTRAST.x), 1.0, saturate(0.16 * drift_lod));
+  out.sharp = vec4f(drift_lod, lod, contrast, 1.0 / (own * even));
   let air = air_to_point(dir, distance_m);
-  out.light = vec4f(spray_radiance(dir, centre.xz) * air[1] + air[0], optical_depth);
-  out.depth = vec2f(ahead_m, 0.7 * puff.radius_m);
+  out.light = vec4f(spray_radiance(dir, centre.xz, puff.open) * air[1] + air[0], optical_depth);
+  let towards_sun = vec2f(dot(along, frame.sun_direction), dot(side, frame.sun_direction));
+  out.depth = vec4f(ahead_m, 0.7 * puff.radius_m, towards_sun);
   return out;
+}
+
+// Mean of 2^(contrast (x - 1/2)) for x even over 0 to 1.
+fn spray_mean(contrast: f32) -> f32 {
+  let half = 0.34657359 * contrast;
+  return sinh(half) / half;
 }
 
 @fragment
 fn fragment(in: SprayFragment) -> @location(0) vec4f {
-  let inside = saturate(1.0 - dot(in.at, in.at));
-  // The product of two independent noises has the mean of both, at every mip level.
-  let wide_at = in.noise.xy + in.at * in.noise.zw;
-  let wide = textureSampleLevel(noise_map, noise_sampler, wide_at, 0, in.noise_lod).b;
-  let fine = textureSampleLevel(noise_map, noise_sampler, wide_at.yx * 2.7, 0, in.noise_lod + 1.4).g;
+  let drift = textureSampleLevel(noise_map, noise_sampler, in.drift, 0, in.sharp.x).b - 0.5;
+  let own_at = in.noise.xy + in.at * in.noise.zw;
+  let own = textureSampleLevel(noise_map, noise_sampler, own_at, 0, in.sharp.y).b - 0.5;
+  // Where the noise is low, the puff reaches less far, so that its edge is torn and not a circle.
+  let inside = saturate(1.0 - dot(in.at, in.at) * (1.0 + SPRAY_TORN_EDGE * (0.5 - own)));
   let scene_m = frame.clip_from_relative[3].z / max(textureLoad(depth_map, vec2i(in.clip.xy), 0), 1e-9);
   let free = saturate((scene_m - in.depth.x) / in.depth.y);
-  // The square of the noise has more contrast than the noise. It is divided by its mean, which falls to 1 as pixels grow
-  // and the mip levels of the noise become even.
-  let noise = 4.0 * wide * fine;
-  let clumped = noise * noise / mix(1.78, 1.0, saturate(0.25 * in.noise_lod));
+  let clumped = exp2(SPRAY_CONTRAST.x * drift + in.sharp.z * own) * in.sharp.w;
   let opacity = 1.0 - exp(-in.light.w * inside * inside * clumped * free);
-  return vec4f(min(in.light.rgb, vec3f(6e4)) * opacity, opacity);
+  // The side of a puff that faces the sun is brighter than the other one.
+  let shade = 1.0 + SPRAY_ROUNDNESS * dot(in.at, in.depth.zw);
+  return vec4f(min(in.light.rgb * shade, vec3f(6e4)) * opacity, opacity);
 }

@@ -4,6 +4,10 @@
 const FOAM_ALBEDO = 0.6;
 // Sunlight that comes through heaps of foam from behind, relative to that which falls on a plane towards the sun.
 const FOAM_GLOW = 0.16;
+// Stops of sunlight (x) and of skylight (y) between hollows, where the grain is 0, and lumps, where it is 1.
+const FOAM_HOLLOW_STOPS = vec2f(3.2, 1.6);
+// Share of the sunlight that shades foam by its slope; light that spreads inside foam evens out the rest.
+const FOAM_FACING = 0.55;
 
 // Colour of a thin film of foam: light that it scatters down comes back through the water between its bubbles.
 const FOAM_FILM_COLOUR = vec3f(0.86, 0.95, 0.97);
@@ -15,9 +19,9 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   // Light spreads inside foam, which softens its shading. Unresolved slopes brighten the mean, because facets that are
   // turned away from the sun are not darker than black.
   let cosine = dot(n, l);
-  let mean = 0.7 * cosine + 0.3 * l.y;
+  let mean = mix(l.y, cosine, FOAM_FACING);
   let across = slope.variance.x * l.x * l.x + slope.variance.y * l.z * l.z + 2.0 * slope.variance.z * l.x * l.z;
-  let deviation = 0.7 * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
+  let deviation = FOAM_FACING * n.y * sqrt(max(across + foam.rough * dot(l.xz, l.xz), 1e-6));
   let off = mean / deviation;
   var wrapped = max(mean * maths_normal_cdf(off) + deviation * 0.39894228 * exp(-0.5 * min(off * off, 80.0)), 0.0);
   if WATER_SHADOWS {
@@ -26,13 +30,13 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
     wrapped *= saturate(lit.y / max(lit.x, 1e-6));
   }
   // Hollows see less of the sky, and light is lost between their walls.
-  let hollow = clamp(foam.grain, -0.2, 1.2);
-  let open = (0.55 + 0.45 * n.y) * (0.65 + 0.7 * hollow);
+  let hollow = clamp(foam.grain, -0.4, 1.4);
+  let open = (0.55 + 0.45 * n.y) * exp2(FOAM_HOLLOW_STOPS.y * (hollow - 0.5));
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
-  let albedo = material.foam_colour * thin * (FOAM_ALBEDO * (0.9 + 0.2 * hollow));
+  let albedo = material.foam_colour * thin * FOAM_ALBEDO;
   let behind = max(-dot(v, l), 0.0);
   let glow = FOAM_GLOW * behind * behind * saturate(8.0 * l.y);
-  let sunlight = shadow_sun_irradiance() * (foam.lit * wrapped * (0.7 + 0.6 * hollow) + glow);
+  let sunlight = shadow_sun_irradiance() * (foam.lit * wrapped * exp2(FOAM_HOLLOW_STOPS.x * (hollow - 0.5)) + glow);
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {
     return body;

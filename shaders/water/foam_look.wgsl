@@ -12,6 +12,8 @@ const FOAM_BILLOW_LAYER = 10u;
 // Weights of the layers in the pattern of a breaker's front: windrows, billows, strands and threads. Their squares add up
 // to 1.
 const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.68, 0.6, 0.41);
+// What the weights gain where a front covers half of the water: at its edge, lace takes the place of billows.
+const FOAM_FRONT_EDGE_WEIGHTS = vec4f(0.0, -0.24, 0.08, 0.2);
 // Factors on the weights of the layers (material.rs), which grow with the wind, in the oldest foam and in new foam.
 const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
 const FOAM_NEW_WEIGHTS = vec4f(0.5, 0.8, 1.05, 1.2);
@@ -25,19 +27,22 @@ const FOAM_NEW_OPACITY = vec2f(0.26, 0.44);
 const FOAM_FRONT_OPACITY = vec2f(0.36, 0.62);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
-const FOAM_FRONT_SHIFT = vec2f(0.2, -0.3);
+const FOAM_FRONT_SHIFT = vec2f(0.35, -0.45);
 // Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
 // centimetres (z), m.
-const FOAM_LUMP_HEIGHT_M = vec3f(0.35, 0.08, 0.008);
+const FOAM_LUMP_HEIGHT_M = vec3f(0.5, 0.11, 0.008);
 // Height of the body of old foam (x) and of a front (y) above the water, m.
-const FOAM_BODY_HEIGHT_M = vec2f(0.03, 0.12);
+const FOAM_BODY_HEIGHT_M = vec2f(0.03, 0.25);
 // Least distances, m, over which their slopes are measured, and that to billows that may cast a shadow.
 const FOAM_RELIEF_STEP_M = vec3f(0.4, 0.08, 0.01);
 const FOAM_SHADOW_STEP_M = 1.5;
 // Part of the sunlight that a billow takes from the next one: foam lets light through, and scatters it about.
-const FOAM_SHADOW = 0.45;
+const FOAM_SHADOW = 0.65;
 // Share of billows in the height of a front's grain, relative to that of lumps.
 const FOAM_BILLOW_GRAIN = 1.2;
+// Grain by which the mean light of uneven foam exceeds that of its mean grain: half the variance of the grain of lumps,
+// times the natural logarithm of the change of light with it (FOAM_HOLLOW_STOPS).
+const FOAM_GRAIN_SKEW = 0.045;
 // Fraction of the foam that belongs to fronts, from which billows show.
 const FOAM_MIN_BILLOWING = 0.2;
 // Height of the relief of the oldest foam and of new foam, relative to that of a front.
@@ -98,7 +103,9 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
     material.noise_layers[FOAM_WINDROW_LAYER].foam_weight, material.noise_layers[FOAM_PATCH_LAYER].foam_weight,
     material.noise_layers[FOAM_STRAND_LAYER].foam_weight, material.noise_layers[FOAM_THREAD_LAYER].foam_weight);
   let aged = layers * mix(FOAM_OLD_WEIGHTS, FOAM_NEW_WEIGHTS, amount.young);
-  let raw = mix(aged * inverseSqrt(dot(aged, aged)), FOAM_FRONT_WEIGHTS, fresh);
+  let edge = 4.0 * amount.cover * (1.0 - amount.cover);
+  let front = FOAM_FRONT_WEIGHTS + edge * FOAM_FRONT_EDGE_WEIGHTS;
+  let raw = mix(aged * inverseSqrt(dot(aged, aged)), front, fresh);
   let weights = raw * inverseSqrt(dot(raw, raw));
   let unresolved = 1.0 - dot(weights * weights, kept);
   var out: FoamPattern;
@@ -153,7 +160,7 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
     let far = material_noise(FOAM_BILLOW_LAYER, place.at + FOAM_SHADOW_STEP_M * sun, lods.billow).a - 0.5;
     let ray_m = FOAM_SHADOW_STEP_M * frame.sun_direction.y * inverseSqrt(flat_square);
     let over = height_m * (far - place.heights.x) - ray_m;
-    lit = 1.0 - FOAM_SHADOW * maths_smooth(0.5 + over * (0.5 / FOAM_LUMP_HEIGHT_M.x));
+    lit = 1.0 - FOAM_SHADOW * maths_smooth(0.5 + over * (0.3 / FOAM_LUMP_HEIGHT_M.x));
   }
   if sees_bubbles {
     let fine = material_noise(FOAM_THREAD_LAYER, place.at + steps.z * sun, lods.layers.w).a - 0.5 - place.heights.z;
@@ -211,6 +218,9 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   out.film *= (1.0 - amount.fresh) / max(out.cover, 1e-4);
   // Billows are higher where foam covers; the grain is relative to their mean there.
   out.grain = 0.5 + 1.3 * (out.grain - FOAM_BILLOW_GRAIN * pattern.usual) + 0.7 * place.heights.z;
+  // Light grows exponentially with the grain, and this keeps its mean.
+  let billowing = FOAM_BILLOW_GRAIN * pattern.turn.y;
+  out.grain -= FOAM_GRAIN_SKEW * (kept.z + billowing * billowing * kept.y);
   let aged = mix(FOAM_AGED_RELIEF.x, FOAM_AGED_RELIEF.y, amount.young);
   let strength = material.foam_relief * mix(aged, 1.0, amount.fresh);
   let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;

@@ -54,20 +54,22 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Gale",
         description: "Beaufort 9 over 500 km of water: a breaker topples in front of the camera, spray blows \
                       off its crest.",
-        state: "v=2&wind=22&fetch=500&dir=250&sunaz=150&clouds=cumulus&cloudcover=0.3&glints=1&gusts=1&spray=1\
-                &bloom=0.04&y=4&heading=244&pitch=-2&fov=45&t=51.2",
+        state: "v=2&wind=22&fetch=500&dir=250&sun=15&sunaz=165&haze=0.6&clouds=stratocumulus&cloudcover=0.5&glints=1\
+                &gusts=1&spray=1&bloom=0.04&y=4&heading=241&pitch=0&fov=30&t=51.2",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
-        description: "Beaufort 10 over 750 km of open water: a significant height of 15 m, seen from a trough.",
-        state: "v=2&wind=26&fetch=750&dir=270&sun=22&sunaz=200&clouds=stratocumulus&cloudcover=0.7&glints=1&gusts=1\
-                &spray=1&bloom=0.04&y=3&heading=261&pitch=2&fov=22&t=43",
+        description: "Beaufort 10 over 800 km of open water, a significant height of 17 m: a low sun reaches a breaker \
+                      before a squall.",
+        state: "v=2&wind=28&fetch=800&dir=270&sun=10&sunaz=190&haze=0.5&overcast=0.55&clouds=stratocumulus\
+                &cloudcover=0.76&squalls=0.8&glints=1&gusts=1&spray=1&exposure=-0.3&bloom=0.04&y=3&heading=264\
+                &pitch=0.5&fov=25&t=43",
     },
     GalleryPicture {
         title: "Spindrift",
         description: "Beaufort 10 against a low sun: the wind tears spray off the crests.",
         state: "v=2&wind=26&fetch=500&dir=250&sun=8&sunaz=232&haze=0.6&clouds=cumulus&glints=1\
-                &gusts=1&spray=1&bloom=0.04&y=3.5&heading=225&pitch=1&fov=40&t=20",
+                &gusts=1&spray=1&bloom=0.04&y=3.5&heading=230&pitch=0&fov=30&t=20",
     },
     GalleryPicture {
         title: "Long swell",
