@@ -20,43 +20,45 @@ struct LandGround {
   film: f32,
 }
 
-// Colour of dry driftweed, and heights above the run-up, m, at which the swash of two tides has left it.
-const LAND_WRACK = vec3f(0.105, 0.080, 0.050);
-const LAND_WRACK_LINES_M = vec2f(0.10, 0.42);
+// Share of a film of water in the look of sand that the last waves have left.
+const LAND_SHEEN = 0.2;
 
-// Share of the sand under driftweed: broken strands along two lines. `above` is the height above the run-up.
-fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
-  // Swash ends in curves, and each line is a few strands. A pixel averages what is narrower than it.
-  let bent = above + 0.10 * middle.z + 0.030 * fine.z + 0.012 * fine.w;
-  let off = abs(vec2f(bent) - LAND_WRACK_LINES_M);
-  let strand = abs(off - vec2f(0.035, 0.025));
-  let least = vec2f(0.007, 0.005);
-  let width = least + 0.08 * size;
-  let lines = saturate(1.2 - strand / width) * (least / width);
-  let scraps = saturate(1.0 - off * vec2f(7.0, 12.0)) * saturate(0.9 * fine.w + 0.8 * fine.z - 1.1);
-  let left = saturate(vec2f(0.75, 0.45) + vec2f(0.6 * middle.w, 0.55 * middle.z) + 0.35 * fine.w);
-  return saturate(0.85 * dot(lines, left) + 0.22 * dot(scraps, left));
-}
+// Side of the tile of the grain of sand, m, and the width of a pixel, m, from which it is not seen.
+const LAND_GRAIN_M = 0.83;
+const LAND_GRAIN_SEEN_M = 0.02;
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
-fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) -> LandGround {
+fn land_sand(
+  place: vec2f, height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32,
+) -> LandGround {
   let wet = land_wetness(height, middle.z + 0.5 * fine.w, run_up + 0.04);
   // The last waves have left it darker, up to a line of lobes.
   let fresh = land_wetness(height, 1.5 * middle.w + 0.6 * middle.z, 0.72 * run_up + 0.02);
   // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
   var out: LandGround;
-  out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.07 * rippled * fine.y);
+  out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.10 * rippled * fine.y);
+  if size < LAND_GRAIN_SEEN_M {
+    let grain = land_noise(place, LAND_GRAIN_M, size);
+    out.albedo *= max(1.0 + (1.0 - size / LAND_GRAIN_SEEN_M) * dot(vec2f(0.11, 0.06), grain.zw), 0.3);
+  }
   let above = height - run_up;
   if above > -0.3 && above < 0.9 {
     out.albedo = mix(out.albedo, LAND_WRACK, land_wrack(above, middle, fine, size));
   }
   out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.6 * wet + 0.4 * fresh);
-  out.relief = vec2f(0.30 * rippled * fine.x, 0.0);
+  if wet > 0.0 {
+    out.albedo *= 1.0 - 0.45 * wet * land_swash_marks(height, run_up, middle, fine, size);
+  }
+  // Dry sand is trodden and blown; water smooths it, but leaves ripples in some places.
+  let left = saturate(0.6 * middle.w - 0.2 * middle.z - 0.25) * wet;
+  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + (0.010 + 0.08 * (1.0 - wet)) * fine.wz;
   // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
   let lively = 0.1 + 0.9 * min(run_up, 1.0);
   let lobes = lively * (0.10 * middle.z + 0.06 * fine.w + 0.04 * fine.z);
-  out.film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 5.0 / lively + 0.5);
+  let film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 5.0 / lively + 0.5);
+  // Sand that is full of water shines a little.
+  out.film = max(film, LAND_SHEEN * fresh * fresh);
   return out;
 }
 
@@ -64,6 +66,12 @@ fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, 
 fn land_marram_share(height: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> f32 {
   let cover = saturate(0.36 * (height - LAND_GRASS_M + 0.45 * middle.z + 0.5 * wide.z));
   return maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.2 + 3.2 * cover) * saturate(1.5 * cover);
+}
+
+// Unit vector towards the sun, in the frame of the coast.
+fn land_toward_sun() -> vec2f {
+  let across = frame.sun_direction.xz;
+  return land_from_world(across) * inverseSqrt(max(dot(across, across), 1e-6));
 }
 
 // Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow on.
@@ -75,14 +83,15 @@ fn land_plants(
   var green = mix(LAND_MARRAM, LAND_STRAW, 0.75 * tips);
   if back > 0.0 {
     let region = land_noise(land_turned(place), LAND_REGION_M, size);
-    let soil = mix(LAND_HEATH, LAND_TURF, saturate(0.5 + 0.35 * wide.w + 0.4 * region.w));
-    green = mix(green, soil * max(1.0 + 0.2 * fine.z + 0.16 * middle.z + 0.1 * region.z, 0.4), back);
-    let thicket = 0.75 * region.z + 0.45 * wide.z + 0.3 * middle.w;
-    let scrub = maths_smooth(0.8 * thicket - 0.05) * back;
-    // Round crowns, bright towards the sun.
-    let toward = land_from_world(frame.sun_direction.xz);
-    let sunward = land_noise((place + 0.9 * toward).yx, LAND_MIDDLE_M, size);
-    let lit = max(1.0 + 0.3 * middle.w + 0.55 * (middle.w - sunward.w), 0.15);
+    let soil = mix(LAND_HEATH, LAND_TURF, saturate(0.5 + 0.45 * wide.w + 0.3 * region.w + 0.35 * middle.z));
+    // Round crowns and tussocks, bright towards the sun and dark between each other.
+    let sunward = land_noise((place + 0.7 * land_toward_sun()).yx, LAND_MIDDLE_M, size);
+    let bright = middle.zw - sunward.zw;
+    let tussocks = 1.0 + 0.22 * fine.z + 0.2 * fine.w + 0.22 * middle.w + 0.45 * bright.x + 0.35 * bright.y;
+    green = mix(green, soil * max(tussocks, 0.25), back);
+    let thicket = 0.75 * region.z + 0.45 * wide.z + 0.45 * middle.w;
+    let scrub = maths_smooth(1.2 * thicket - 0.1) * back;
+    let lit = max(1.0 + 0.4 * middle.w + 0.7 * bright.y + 0.15 * fine.w, 0.15);
     green = mix(green, LAND_SCRUB * lit, scrub);
   }
   let share = max(land_marram_share(height, middle, fine, wide), back);
@@ -103,20 +112,44 @@ fn land_washed(albedo: vec3f, height: f32, run_up: f32, bend: f32) -> vec4f {
   return vec4f(mix(dark, LAND_WEED + 0.18 * albedo, 0.85 * weedy), wet);
 }
 
-// Bedrock in layers, dark and weedy where waves keep it wet.
-fn land_rock(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> LandGround {
-  // Layers dip gently; cracks cross them.
-  let layer = height + 0.11 * place.x - 0.05 * place.y + 1.1 * wide.z;
-  let strata = land_noise(vec2f(0.045 * (place.x - place.y), layer), 11.0, 0.25 * size);
-  let face = land_noise(vec2f(place.x + 0.6 * place.y, height), 19.0, size);
-  let tone = saturate(0.5 + 0.30 * strata.z + 0.10 * strata.w + 0.12 * middle.z);
+// Sides of the tiles of noise of beds and of blocks of rock, m, and how much beds stretch along their strike.
+const LAND_BEDS_M = 17.0;
+const LAND_FACE_M = 43.0;
+const LAND_BEDS_STRETCH = 0.05;
+// Heights of lumps and of blocks of rock, m for each deviation of their noise.
+const LAND_FACE_RELIEF_M = vec2f(0.36, 0.20);
+// Albedo of lichen, and the heights above the splash, m, between which it begins to grow.
+const LAND_LICHEN = vec3f(0.265, 0.250, 0.180);
+const LAND_LICHEN_M = vec2f(0.8, 4.0);
+
+// Bedrock: beds with ledges between them, which cracks part into blocks; dark and weedy where waves keep it wet, and with
+// lichen above. `slope` is that of the land, `toward` the unit vector towards the sun in the frame of the coast.
+fn land_rock(
+  place: vec2f, height: f32, run_up: f32, slope: vec2f, toward: vec2f, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
+) -> LandGround {
+  let layer = land_layer(place, height, wide.z);
+  let beds = land_noise(vec2f(LAND_BEDS_STRETCH * (place.x - place.y), layer), LAND_BEDS_M, 0.4 * size);
+  let face = land_noise(land_turned(place), LAND_FACE_M, size);
+  // Only the slope towards the sun decides how bright a face is. It takes one more read, where that of both axes takes two.
+  let step_m = 0.15 + 0.7 * size;
+  let sunward = land_noise(land_turned(place + step_m * toward), LAND_FACE_M, size);
+  let rise = dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
   var out: LandGround;
-  out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.16 * face.w + 0.10 * fine.z, 0.3);
-  // Lichen and iron colour what the spray no longer reaches.
-  out.albedo *= mix(vec3f(1.0), vec3f(1.16, 1.0, 0.80), saturate(0.4 * wide.w + 0.3 * middle.w));
+  // Hard beds are steep, and soft ones are treads on which debris lies.
+  let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
+  out.relief = 0.5 * ledge * slope + clamp(rise, -1.4, 1.4) * toward + vec2f(0.16 * fine.z, 0.16 * fine.w);
+  let tone = saturate(0.45 + 0.30 * beds.z + 0.12 * face.z + 0.10 * middle.z);
+  out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.13 * fine.z + 0.08 * fine.w, 0.3);
+  // Iron colours some beds.
+  out.albedo *= mix(vec3f(1.0), vec3f(1.22, 1.0, 0.74), saturate(0.3 + 0.35 * wide.w + 0.35 * beds.z));
+  let dry = maths_rise(height - LAND_SPLASH * run_up, LAND_LICHEN_M);
+  let lichen = dry * maths_smooth(0.55 * fine.w + 0.45 * middle.w + 0.25 * face.z);
+  out.albedo = mix(out.albedo, LAND_LICHEN, 0.55 * lichen);
   let washed = land_washed(out.albedo, height, run_up, 1.4 * middle.z + 0.5 * fine.z);
-  out.albedo = washed.rgb;
-  out.relief = vec2f(0.35 * face.z + 0.25 * strata.z, 0.32 * face.w);
+  // Little light reaches cracks, joints between beds, and what is below a ledge.
+  let cracks = saturate(vec3f(-0.8, -0.7, -0.55) * vec3f(face.w, beds.w, fine.w) - vec3f(0.45, 0.4, 0.5));
+  let open = (1.0 - 0.75 * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.45 * cracks.z);
+  out.albedo = washed.rgb * open;
   out.film = 0.35 * washed.w;
   return out;
 }
@@ -148,21 +181,33 @@ fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4
   return out;
 }
 
+// Mean slopes of the ground around between which its foot is rock, and the heights, m, between which the foot ends.
+const LAND_FOOT_SLOPES = vec2f(0.24, 0.36);
+const LAND_FOOT_M = vec2f(3.0, 5.0);
+
 // The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there, `size`
-// the width of the texels that are averaged over the pixel, m. Waves run up to the height `run_up`, m.
-fn land_ground(place: vec2f, height: f32, run_up: f32, map: vec4f, slope: vec2f, size: f32) -> LandGround {
+// the width of the texels that are averaged over the pixel, m, and `around` the map's mean over LAND_AROUND_M. Waves run up
+// to the height `run_up`, m.
+fn land_ground(
+  place: vec2f, height: f32, run_up: f32, map: vec4f, slope: vec2f, size: f32, around: vec4f,
+) -> LandGround {
   let wide = land_noise(place, LAND_WIDE_M, size);
   let middle = land_noise(place.yx, LAND_MIDDLE_M, size);
   let fine = land_noise(land_turned(place), LAND_FINE_M, size);
-  var out = land_sand(height, run_up, middle, fine, wide, size);
+  var out = land_sand(place, height, run_up, middle, fine, wide, size);
   if height > LAND_GRASS_M - 2.0 {
     out = land_plants(out, place, height, size, middle, fine, wide);
   }
-  let steep = length(slope) + 0.06 * middle.z + 0.05 * fine.z;
-  let rock = land_rock_share(steep);
+  let ledge = land_ledge(place, map, wide.z).y;
+  let cut = ledge * slope;
+  let steep = length(cut) + 0.06 * middle.z + 0.05 * fine.z;
+  // The foot of a cliff is a platform of rock.
+  let foot = maths_rise(length(around.yz), LAND_FOOT_SLOPES) * (1.0 - maths_rise(height, LAND_FOOT_M));
+  let rock = max(land_rock_share(steep), foot);
   let built = land_built_share(map);
   if rock * (1.0 - built) > 0.0 {
-    let stone = land_rock(place, height, run_up, size, middle, fine, wide);
+    let toward = land_toward_sun();
+    let stone = land_rock(place, height, run_up, cut, toward, size, middle, fine, wide);
     out = LandGround(
       mix(out.albedo, stone.albedo, rock), mix(out.relief, stone.relief, rock), mix(out.film, stone.film, rock));
   }
@@ -174,5 +219,6 @@ fn land_ground(place: vec2f, height: f32, run_up: f32, map: vec4f, slope: vec2f,
     out = LandGround(
       mix(out.albedo, made.albedo, built), mix(out.relief, made.relief, built), mix(out.film, made.film, built));
   }
+  out.relief += (ledge - 1.0) * slope;
   return out;
 }

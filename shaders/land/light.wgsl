@@ -23,7 +23,10 @@ struct LandMeshFragment {
 @vertex
 fn mesh_vertex(@builtin(vertex_index) i: u32) -> LandMeshFragment {
   let v = land_vertices[i];
-  return LandMeshFragment(land_clip(land_from_eye(v.place, v.height_m)), unpack2x16float(v.slope));
+  let slope = unpack2x16float(v.slope);
+  let bend = land_noise(v.place, LAND_WIDE_M, 1.0).z;
+  let ledge = land_ledge(v.place, vec4f(v.height_m, slope, 0.0), bend);
+  return LandMeshFragment(land_clip(land_from_eye(v.place, v.height_m + ledge.x)), slope);
 }
 
 @fragment
@@ -34,11 +37,14 @@ fn mesh_fragment(in: LandMeshFragment) -> LandGBuffer {
 @group(2) @binding(1) var undisplaced_map: texture_2d<f32>;
 @group(2) @binding(2) var slope_map: texture_2d<f32>;
 
-// Share of the sky that the land around leaves open: less in hollows and at the foot of cliffs.
-fn land_open_sky(place: vec2f, height: f32, size: f32) -> f32 {
+// Width of the ground, m, by which hollows and the feet of cliffs are told.
+const LAND_AROUND_M = 40.0;
+
+// Share of the sky that the land around leaves open: less in hollows and at the foot of cliffs. `around` is the mean height
+// of the land over LAND_AROUND_M, m.
+fn land_open_sky(place: vec2f, height: f32, around: f32, size: f32) -> f32 {
   let near = land_at(place, land_lod(max(5.0, size))).x - height;
-  let around = land_at(place, land_lod(max(40.0, size))).x - height;
-  return 1.0 / (1.0 + 0.55 * max(near, 0.0) + 0.09 * max(around, 0.0));
+  return 1.0 / (1.0 + 0.55 * max(near, 0.0) + 0.09 * max(around - height, 0.0));
 }
 
 // Light that a film of water mirrors towards the eye (rgb), and its reflectance (w).
@@ -100,9 +106,10 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let map = land_at(place, land_lod(size));
   let run_up = land_run_up_m(position.xz);
   var slope = mix(map.yz, mesh_slope, is_outside);
+  let around = land_at(place, land_lod(max(LAND_AROUND_M, size)));
   var ground: LandGround;
   if shown.y == 0.0 {
-    ground = land_ground(place, height, run_up, map * (1.0 - is_outside), slope, size);
+    ground = land_ground(place, height, run_up, map * (1.0 - is_outside), slope, size, around * (1.0 - is_outside));
   } else {
     slope = mesh_slope;
     ground = cover_ground(shown.y, mesh.z, place, height, run_up, size);
@@ -119,7 +126,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let tilt = land_to_world(slope + ground.relief);
   let n = vec3f(-tilt.x, 1.0, -tilt.y) * inverseSqrt(1.0 + dot(tilt, tilt));
   let l = frame.sun_direction;
-  let open = mesh.w * mix(land_open_sky(place, height, size), 1.0, is_outside);
+  let open = mesh.w * mix(land_open_sky(place, height, around.x, size), 1.0, is_outside);
   // A slope sees less of the sky and, instead, ground nearby, which reflects a fifth of the light that falls on it.
   let level = sunlight * max(l.y, 0.0) + light.sky_irradiance;
   let up = 0.5 + 0.5 * n.y;
