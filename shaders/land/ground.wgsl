@@ -74,9 +74,10 @@ fn land_toward_sun() -> vec2f {
   return land_from_world(across) * inverseSqrt(max(dot(across, across), 1e-6));
 }
 
-// Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow on.
+// Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow
+// on, `most` the largest share that they cover.
 fn land_plants(
-  ground: LandGround, place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
+  ground: LandGround, most: f32, place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
 ) -> LandGround {
   let back = land_back_share(place, height, wide.z);
   let tips = saturate(0.5 + 0.32 * fine.z + 0.2 * middle.z);
@@ -87,14 +88,14 @@ fn land_plants(
     // Round crowns and tussocks, bright towards the sun and dark between each other.
     let sunward = land_noise((place + 0.7 * land_toward_sun()).yx, LAND_MIDDLE_M, size);
     let bright = middle.zw - sunward.zw;
-    let tussocks = 1.0 + 0.22 * fine.z + 0.2 * fine.w + 0.22 * middle.w + 0.45 * bright.x + 0.35 * bright.y;
+    let tussocks = 1.0 + 0.24 * fine.z + 0.1 * fine.w + 0.22 * middle.w + 0.45 * bright.x + 0.35 * bright.y;
     green = mix(green, soil * max(tussocks, 0.25), back);
     let thicket = 0.75 * region.z + 0.45 * wide.z + 0.45 * middle.w;
     let scrub = maths_smooth(1.2 * thicket - 0.1) * back;
     let lit = max(1.0 + 0.4 * middle.w + 0.7 * bright.y + 0.15 * fine.w, 0.15);
     green = mix(green, LAND_SCRUB * lit, scrub);
   }
-  let share = max(land_marram_share(height, middle, fine, wide), back);
+  let share = most * max(land_marram_share(height, middle, fine, wide), back);
   var out = ground;
   out.albedo = mix(ground.albedo, max(green, vec3f(0.008)), share);
   // Tufts stand up: their sides face all directions.
@@ -114,40 +115,51 @@ fn land_washed(albedo: vec3f, height: f32, run_up: f32, bend: f32) -> vec4f {
 
 // Sides of the tiles of noise of beds and of blocks of rock, m, and how much beds stretch along their strike.
 const LAND_BEDS_M = 17.0;
-const LAND_FACE_M = 43.0;
+const LAND_FACE_M = 59.0;
 const LAND_BEDS_STRETCH = 0.05;
 // Heights of lumps and of blocks of rock, m for each deviation of their noise.
-const LAND_FACE_RELIEF_M = vec2f(0.36, 0.20);
+const LAND_FACE_RELIEF_M = vec2f(0.32, 0.46);
+// Share of the distance inland in the vertical coordinate of faces, and side of the tile of their finest detail, m.
+const LAND_FACE_LEAN = 0.6;
+const LAND_DETAIL_M = 8.7;
 // Albedo of lichen, and the heights above the splash, m, between which it begins to grow.
 const LAND_LICHEN = vec3f(0.265, 0.250, 0.180);
 const LAND_LICHEN_M = vec2f(0.8, 4.0);
 
 // Bedrock: beds with ledges between them, which cracks part into blocks; dark and weedy where waves keep it wet, and with
-// lichen above. `slope` is that of the land, `toward` the unit vector towards the sun in the frame of the coast.
+// lichen above. `slope` is that of the land with its ledges, `around` is that of land_ground.
 fn land_rock(
-  place: vec2f, height: f32, run_up: f32, slope: vec2f, toward: vec2f, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
+  place: vec2f, height: f32, run_up: f32, slope: vec2f, around: vec4f, size: f32, middle: vec4f, wide: vec4f,
 ) -> LandGround {
+  let toward = land_toward_sun();
   let layer = land_layer(place, height, wide.z);
   let beds = land_noise(vec2f(LAND_BEDS_STRETCH * (place.x - place.y), layer), LAND_BEDS_M, 0.4 * size);
-  let face = land_noise(land_turned(place), LAND_FACE_M, size);
+  // The pattern of a face is seen from the side and above. Where the land turns a corner, another face begins.
+  let is_along_y = abs(around.y) > abs(around.z);
+  let axis = select(vec2f(0.0, sign(around.z)), vec2f(sign(around.y), 0.0), is_along_y);
+  let face_at = vec2f(dot(place, abs(axis.yx)), height + LAND_FACE_LEAN * dot(place, axis));
+  let face = land_noise(face_at, LAND_FACE_M, 0.7 * size);
+  let detail = land_noise(face_at.yx, LAND_DETAIL_M, 0.7 * size);
   // Only the slope towards the sun decides how bright a face is. It takes one more read, where that of both axes takes two.
   let step_m = 0.15 + 0.7 * size;
-  let sunward = land_noise(land_turned(place + step_m * toward), LAND_FACE_M, size);
+  let off = step_m * vec2f(dot(toward, abs(axis.yx)), dot(slope + LAND_FACE_LEAN * axis, toward));
+  let sunward = land_noise(face_at + off, LAND_FACE_M, 0.7 * size);
   let rise = dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
   var out: LandGround;
   // Hard beds are steep, and soft ones are treads on which debris lies.
   let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
-  out.relief = 0.5 * ledge * slope + clamp(rise, -1.4, 1.4) * toward + vec2f(0.16 * fine.z, 0.16 * fine.w);
+  out.relief = 0.5 * ledge * slope + clamp(rise, -0.6, 0.6) * toward + 0.12 * detail.zw;
   let tone = saturate(0.45 + 0.30 * beds.z + 0.12 * face.z + 0.10 * middle.z);
-  out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.13 * fine.z + 0.08 * fine.w, 0.3);
+  out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.13 * detail.z + 0.10 * detail.w, 0.3);
   // Iron colours some beds.
-  out.albedo *= mix(vec3f(1.0), vec3f(1.22, 1.0, 0.74), saturate(0.3 + 0.35 * wide.w + 0.35 * beds.z));
+  out.albedo *= mix(vec3f(1.0), vec3f(1.18, 1.0, 0.78), saturate(0.2 + 0.35 * wide.w + 0.3 * beds.z));
   let dry = maths_rise(height - LAND_SPLASH * run_up, LAND_LICHEN_M);
-  let lichen = dry * maths_smooth(0.55 * fine.w + 0.45 * middle.w + 0.25 * face.z);
+  let lichen = dry * maths_smooth(0.5 * detail.z + 0.4 * face.z + 0.3 * middle.z);
   out.albedo = mix(out.albedo, LAND_LICHEN, 0.55 * lichen);
-  let washed = land_washed(out.albedo, height, run_up, 1.4 * middle.z + 0.5 * fine.z);
+  let washed = land_washed(out.albedo, height, run_up, 1.2 * middle.z + 0.5 * detail.z);
   // Little light reaches cracks, joints between beds, and what is below a ledge.
-  let cracks = saturate(vec3f(-0.8, -0.7, -0.55) * vec3f(face.w, beds.w, fine.w) - vec3f(0.45, 0.4, 0.5));
+  let upright = saturate(1.6 * length(slope) - 0.3);
+  let cracks = saturate(vec3f(-0.8, -0.7 * upright, -0.6) * vec3f(face.w, beds.w, detail.w) - vec3f(0.45, 0.4, 0.5));
   let open = (1.0 - 0.75 * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.45 * cracks.z);
   out.albedo = washed.rgb * open;
   out.film = 0.35 * washed.w;
@@ -181,9 +193,11 @@ fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4
   return out;
 }
 
-// Mean slopes of the ground around between which its foot is rock, and the heights, m, between which the foot ends.
-const LAND_FOOT_SLOPES = vec2f(0.24, 0.36);
-const LAND_FOOT_M = vec2f(3.0, 5.0);
+// Mean slopes of the ground around between which rock lies bare also where it is level, and how much less slope it takes
+// below these heights above the still water, m: the foot of a cliff is a platform of rock.
+const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
+const LAND_FOOT_SLOPE = 0.06;
+const LAND_FOOT_M = vec2f(2.0, 4.0);
 
 // The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there, `size`
 // the width of the texels that are averaged over the pixel, m, and `around` the map's mean over LAND_AROUND_M. Waves run up
@@ -194,22 +208,21 @@ fn land_ground(
   let wide = land_noise(place, LAND_WIDE_M, size);
   let middle = land_noise(place.yx, LAND_MIDDLE_M, size);
   let fine = land_noise(land_turned(place), LAND_FINE_M, size);
-  var out = land_sand(place, height, run_up, middle, fine, wide, size);
-  if height > LAND_GRASS_M - 2.0 {
-    out = land_plants(out, place, height, size, middle, fine, wide);
-  }
   let ledge = land_ledge(place, map, wide.z).y;
   let cut = ledge * slope;
   let steep = length(cut) + 0.06 * middle.z + 0.05 * fine.z;
-  // The foot of a cliff is a platform of rock.
-  let foot = maths_rise(length(around.yz), LAND_FOOT_SLOPES) * (1.0 - maths_rise(height, LAND_FOOT_M));
-  let rock = max(land_rock_share(steep), foot);
+  let upright = land_rock_share(steep);
+  let foot = LAND_FOOT_SLOPE * (1.0 - maths_rise(height, LAND_FOOT_M));
+  let rock = max(upright, maths_rise(length(around.yz) + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES));
   let built = land_built_share(map);
+  var out = land_sand(place, height, run_up, middle, fine, wide, size);
   if rock * (1.0 - built) > 0.0 {
-    let toward = land_toward_sun();
-    let stone = land_rock(place, height, run_up, cut, toward, size, middle, fine, wide);
+    let stone = land_rock(place, height, run_up, cut, around, size, middle, wide);
     out = LandGround(
       mix(out.albedo, stone.albedo, rock), mix(out.relief, stone.relief, rock), mix(out.film, stone.film, rock));
+  }
+  if height > LAND_GRASS_M - 2.0 && upright < 1.0 {
+    out = land_plants(out, 1.0 - upright, place, height, size, middle, fine, wide);
   }
   if built > 0.0 {
     var made = land_concrete(place, height, size, middle, fine);

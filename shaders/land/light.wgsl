@@ -120,7 +120,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   var sunlight = cloud_sun_irradiance();
   if LAND_SHADOWS {
-    sunlight *= land_visible_sun(place, height);
+    // The map does not know the treads below ledges.
+    sunlight *= land_visible_sun(place, max(height, map.x));
   }
   sunlight *= 0.3 + 0.7 * mesh.w;
   let tilt = land_to_world(slope + ground.relief);

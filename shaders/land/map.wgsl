@@ -75,7 +75,7 @@ const LAND_BENDS_M = 1.3;
 // Thickness of two hard beds of rock and the soft ones between, m; the part of it where the ledge is steep, and how much
 // of the height is cut into ledges. There are none below these heights above the still water, m.
 const LAND_LEDGE_M = 5.5;
-const LAND_LEDGE_STEEP = vec2f(0.30, 0.70);
+const LAND_LEDGE_STEEP = vec2f(0.20, 0.80);
 const LAND_LEDGE_SHARE = 0.65;
 const LAND_LEDGE_FROM_M = vec2f(2.5, 6.0);
 
