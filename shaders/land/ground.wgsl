@@ -118,7 +118,7 @@ const LAND_BEDS_M = 17.0;
 const LAND_FACE_M = 59.0;
 const LAND_BEDS_STRETCH = 0.05;
 // Heights of lumps and of blocks of rock, m for each deviation of their noise.
-const LAND_FACE_RELIEF_M = vec2f(0.32, 0.46);
+const LAND_FACE_RELIEF_M = vec2f(0.17, 0.46);
 // Share of the distance inland in the vertical coordinate of faces, and side of the tile of their finest detail, m.
 const LAND_FACE_LEAN = 0.6;
 const LAND_DETAIL_M = 8.7;
@@ -148,7 +148,7 @@ fn land_rock(
   var out: LandGround;
   // Hard beds are steep, and soft ones are treads on which debris lies.
   let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
-  out.relief = 0.5 * ledge * slope + clamp(rise, -0.6, 0.6) * toward + 0.12 * detail.zw;
+  out.relief = 0.5 * ledge * slope + clamp(rise, -0.5, 0.5) * toward + 0.2 * detail.wz;
   let tone = saturate(0.45 + 0.30 * beds.z + 0.12 * face.z + 0.10 * middle.z);
   out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.13 * detail.z + 0.10 * detail.w, 0.3);
   // Iron colours some beds.

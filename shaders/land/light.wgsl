@@ -47,8 +47,13 @@ fn land_open_sky(place: vec2f, height: f32, around: f32, size: f32) -> f32 {
   return 1.0 / (1.0 + 0.55 * max(near, 0.0) + 0.09 * max(around - height, 0.0));
 }
 
-// Light that a film of water mirrors towards the eye (rgb), and its reflectance (w).
-fn land_film_mirror(v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
+// Distances, m, at which a film of water looks for land that it mirrors, and half the range of tangents over which that
+// land blends with the sky.
+const LAND_FILM_REACH_M = vec2f(26.0, 80.0);
+const LAND_FILM_BLEND = 0.04;
+
+// Light that a film of water at a place mirrors towards the eye (rgb), and its reflectance (w).
+fn land_film_mirror(place: vec2f, height: f32, v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
   let square = 1.0 + dot(slope, slope);
   let facing = max(v.y - dot(v.xz, slope), 1e-3);
   let reflectance = water_fresnel(facing * inverseSqrt(square));
@@ -57,6 +62,16 @@ fn land_film_mirror(v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
   let uv = 0.5 - over * (twice * slope + square * v.xz);
   let layer = mirrored_sky_layer(2.0 * LAND_FILM_ROUGHNESS);
   var radiance = reflectance * textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), layer), 0.0).rgb;
+  // Land that rises before the film hides the sky.
+  let across = twice * slope + square * v.xz;
+  let over_level = inverseSqrt(max(dot(across, across), 1e-8));
+  let toward = -over_level * land_from_world(across);
+  let near = land_at(place + LAND_FILM_REACH_M.x * toward, land_lod(0.3 * LAND_FILM_REACH_M.x));
+  let far = land_at(place + LAND_FILM_REACH_M.y * toward, land_lod(0.3 * LAND_FILM_REACH_M.y));
+  let rise = (vec2f(near.x, far.x) - height) / LAND_FILM_REACH_M;
+  let sky_rise = (twice - square * v.y) * over_level;
+  let hidden = maths_smooth(0.5 + (max(rise.x, rise.y) - sky_rise) * (0.5 / LAND_FILM_BLEND));
+  radiance = mix(radiance, reflectance * land_far_radiance(place + LAND_FILM_REACH_M.y * toward, far), hidden);
   let between = frame.sun_direction + v;
   if frame.sun_direction.y > 0.0 && between.y > 0.01 {
     let off = -between.xz / between.y - slope;
@@ -140,7 +155,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
     let smooth_tilt = land_to_world(slope);
     let v = vec3f(-dir.x, max(-dir.y, 1e-3), -dir.z);
-    let mirror = land_film_mirror(v, smooth_tilt, sunlight);
+    let mirror = land_film_mirror(place, height, v, smooth_tilt, sunlight);
     let entering = sunlight * (cosine * (1.0 - water_fresnel(cosine))) + 0.934 * sky_light;
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;
