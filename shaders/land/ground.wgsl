@@ -126,7 +126,7 @@ const LAND_DETAIL_M = 8.7;
 const LAND_LICHEN = vec3f(0.265, 0.250, 0.180);
 const LAND_LICHEN_M = vec2f(0.8, 4.0);
 
-// Bedrock: beds with ledges between them, which cracks part into blocks; dark and weedy where waves keep it wet, and with
+// Bedrock: beds with ledges between them, which cracks part into blocks; dark and weedy where waves keep it wet, with
 // lichen above. `slope` is that of the land with its ledges, `around` is that of land_ground.
 fn land_rock(
   place: vec2f, height: f32, run_up: f32, slope: vec2f, around: vec4f, size: f32, middle: vec4f, wide: vec4f,
@@ -140,7 +140,7 @@ fn land_rock(
   let face_at = vec2f(dot(place, abs(axis.yx)), height + LAND_FACE_LEAN * dot(place, axis));
   let face = land_noise(face_at, LAND_FACE_M, 0.7 * size);
   let detail = land_noise(face_at.yx, LAND_DETAIL_M, 0.7 * size);
-  // Only the slope towards the sun decides how bright a face is. It takes one more read, where that of both axes takes two.
+  // Only the slope towards the sun decides how bright a face is, and it takes one read more, not two as both axes do.
   let step_m = 0.15 + 0.7 * size;
   let off = step_m * vec2f(dot(toward, abs(axis.yx)), dot(slope + LAND_FACE_LEAN * axis, toward));
   let sunward = land_noise(face_at + off, LAND_FACE_M, 0.7 * size);
@@ -158,8 +158,8 @@ fn land_rock(
   out.albedo = mix(out.albedo, LAND_LICHEN, 0.55 * lichen);
   let washed = land_washed(out.albedo, height, run_up, 1.2 * middle.z + 0.5 * detail.z);
   // Little light reaches cracks, joints between beds, and what is below a ledge.
-  let upright = saturate(1.6 * length(slope) - 0.3);
-  let cracks = saturate(vec3f(-0.8, -0.7 * upright, -0.6) * vec3f(face.w, beds.w, detail.w) - vec3f(0.45, 0.4, 0.5));
+  let walls = saturate(1.6 * length(slope) - 0.3);
+  let cracks = saturate(vec3f(-0.8, -0.7 * walls, -0.6) * vec3f(face.w, beds.w, detail.w) - vec3f(0.45, 0.4, 0.5));
   let open = (1.0 - 0.75 * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.45 * cracks.z);
   out.albedo = washed.rgb * open;
   out.film = 0.35 * washed.w;
@@ -193,15 +193,15 @@ fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4
   return out;
 }
 
-// Mean slopes of the ground around between which rock lies bare also where it is level, and how much less slope it takes
+// Mean slopes of the ground around between which rock lies bare also where it is level, and how much less slope that takes
 // below these heights above the still water, m: the foot of a cliff is a platform of rock.
 const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
 const LAND_FOOT_SLOPE = 0.06;
 const LAND_FOOT_M = vec2f(2.0, 4.0);
 
 // The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there, `size`
-// the width of the texels that are averaged over the pixel, m, and `around` the map's mean over LAND_AROUND_M. Waves run up
-// to the height `run_up`, m.
+// the width of the texels that are averaged over the pixel, m, and `around` the map's mean over LAND_AROUND_M. Waves run
+// up to the height `run_up`, m.
 fn land_ground(
   place: vec2f, height: f32, run_up: f32, map: vec4f, slope: vec2f, size: f32, around: vec4f,
 ) -> LandGround {
