@@ -144,12 +144,13 @@ fn land_rock(
   let step_m = 0.15 + 0.7 * size;
   let off = step_m * vec2f(dot(toward, abs(axis.yx)), dot(slope + LAND_FACE_LEAN * axis, toward));
   let sunward = land_noise(face_at + off, LAND_FACE_M, 0.7 * size);
-  let rise = dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
+  let walls = saturate(1.6 * length(slope) - 0.3);
+  let rise = (0.4 + 0.6 * walls) * dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
   var out: LandGround;
   // Hard beds are steep, and soft ones are treads on which debris lies.
   let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
-  out.relief = 0.5 * ledge * slope + clamp(rise, -0.5, 0.5) * toward + 0.2 * detail.wz;
-  let tone = saturate(0.45 + 0.30 * beds.z + 0.12 * face.z + 0.10 * middle.z);
+  out.relief = 0.5 * ledge * slope + clamp(rise, -0.42, 0.42) * toward + 0.13 * detail.wz;
+  let tone = saturate(0.45 + 0.30 * beds.z + 0.12 * face.z + 0.16 * middle.z);
   out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.13 * detail.z + 0.10 * detail.w, 0.3);
   // Iron colours some beds.
   out.albedo *= mix(vec3f(1.0), vec3f(1.18, 1.0, 0.78), saturate(0.2 + 0.35 * wide.w + 0.3 * beds.z));
@@ -158,9 +159,8 @@ fn land_rock(
   out.albedo = mix(out.albedo, LAND_LICHEN, 0.55 * lichen);
   let washed = land_washed(out.albedo, height, run_up, 1.2 * middle.z + 0.5 * detail.z);
   // Little light reaches cracks, joints between beds, and what is below a ledge.
-  let walls = saturate(1.6 * length(slope) - 0.3);
   let cracks = saturate(vec3f(-0.8, -0.7 * walls, -0.6) * vec3f(face.w, beds.w, detail.w) - vec3f(0.45, 0.4, 0.5));
-  let open = (1.0 - 0.75 * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.45 * cracks.z);
+  let open = (1.0 - 0.75 * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.3 * cracks.z);
   out.albedo = washed.rgb * open;
   out.film = 0.35 * washed.w;
   return out;
@@ -210,10 +210,11 @@ fn land_ground(
   let fine = land_noise(land_turned(place), LAND_FINE_M, size);
   let ledge = land_ledge(place, map, wide.z).y;
   let cut = ledge * slope;
-  let steep = length(cut) + 0.06 * middle.z + 0.05 * fine.z;
-  let upright = land_rock_share(steep);
   let foot = LAND_FOOT_SLOPE * (1.0 - maths_rise(height, LAND_FOOT_M));
-  let rock = max(upright, maths_rise(length(around.yz) + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES));
+  let cliff = maths_rise(length(around.yz) + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES);
+  // Plants hold in patches on cliffs.
+  let upright = land_rock_share(length(cut) + (0.06 + 0.10 * cliff) * middle.z + 0.05 * fine.z);
+  let rock = max(upright, cliff);
   let built = land_built_share(map);
   var out = land_sand(place, height, run_up, middle, fine, wide, size);
   if rock * (1.0 - built) > 0.0 {

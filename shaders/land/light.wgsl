@@ -153,7 +153,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   var radiance = ground.albedo * (sunlight * cosine + sky_light) / ATM_PI;
   if ground.film > 0.0 {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
-    let smooth_tilt = land_to_world(slope);
+    let smooth_tilt = LAND_FILM_TILT * land_to_world(slope);
     let v = vec3f(-dir.x, max(-dir.y, 1e-3), -dir.z);
     let mirror = land_film_mirror(place, height, v, smooth_tilt, sunlight);
     let entering = sunlight * (cosine * (1.0 - water_fresnel(cosine))) + 0.934 * sky_light;

@@ -6,8 +6,10 @@ override WATER_LAND: bool = false;
 // Undisplaced position from which a pixel of the G-buffer shows no water (`NO_WATER_M` in src/render/targets.rs), m.
 const LAND_NO_WATER_M = 5e8;
 
-// Standard deviation of the slopes of a film of water on sand.
+// Standard deviation of the slopes of a film of water on sand, and its mean slope relative to that of the sand: a sheet
+// that drains is thickest at its foot.
 const LAND_FILM_ROUGHNESS = 0.025;
+const LAND_FILM_TILT = 0.5;
 
 // Position in the frame of the coast, m, of a point (x, z) relative to the one below the eye, m.
 fn land_place(at: vec2f) -> vec2f {
