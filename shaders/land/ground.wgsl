@@ -21,7 +21,7 @@ struct LandGround {
 }
 
 // Share of a film of water in the look of sand that the last waves have left.
-const LAND_SHEEN = 0.2;
+const LAND_SHEEN = 0.3;
 
 // Side of the tile of the grain of sand, m, and the width of a pixel, m, from which it is not seen.
 const LAND_GRAIN_M = 0.83;
@@ -145,11 +145,13 @@ fn land_rock(
   let off = step_m * vec2f(dot(toward, abs(axis.yx)), dot(slope + LAND_FACE_LEAN * axis, toward));
   let sunward = land_noise(face_at + off, LAND_FACE_M, 0.7 * size);
   let walls = saturate(1.6 * length(slope) - 0.3);
-  let rise = (0.4 + 0.6 * walls) * dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
+  // Hard beds are massive, and soft ones crumble.
+  let crumbled = saturate(0.6 - 0.38 * beds.z);
+  let rise = crumbled * (0.4 + 0.6 * walls) * dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
   var out: LandGround;
-  // Hard beds are steep, and soft ones are treads on which debris lies.
+  // Hard beds are steep, and debris lies on soft ones.
   let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
-  out.relief = 0.5 * ledge * slope + clamp(rise, -0.42, 0.42) * toward + 0.13 * detail.wz;
+  out.relief = 0.65 * ledge * slope + clamp(rise, -0.42, 0.42) * toward + 0.13 * detail.wz;
   let tone = saturate(0.45 + 0.30 * beds.z + 0.12 * face.z + 0.16 * middle.z);
   out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.13 * detail.z + 0.10 * detail.w, 0.3);
   // Iron colours some beds.
@@ -160,7 +162,7 @@ fn land_rock(
   let washed = land_washed(out.albedo, height, run_up, 1.2 * middle.z + 0.5 * detail.z);
   // Little light reaches cracks, joints between beds, and what is below a ledge.
   let cracks = saturate(vec3f(-0.8, -0.7 * walls, -0.6) * vec3f(face.w, beds.w, detail.w) - vec3f(0.45, 0.4, 0.5));
-  let open = (1.0 - 0.75 * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.3 * cracks.z);
+  let open = (1.0 - (0.4 + 0.5 * crumbled) * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.3 * cracks.z);
   out.albedo = washed.rgb * open;
   out.film = 0.35 * washed.w;
   return out;
