@@ -146,12 +146,12 @@ fn land_rock(
   let sunward = land_noise(face_at + off, LAND_FACE_M, 0.7 * size);
   let walls = saturate(1.6 * length(slope) - 0.3);
   // Hard beds are massive, and soft ones crumble.
-  let crumbled = saturate(0.6 - 0.38 * beds.z);
+  let crumbled = saturate(0.72 - 0.32 * beds.z);
   let rise = crumbled * (0.4 + 0.6 * walls) * dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
   var out: LandGround;
   // Hard beds are steep, and debris lies on soft ones.
   let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
-  out.relief = 0.65 * ledge * slope + clamp(rise, -0.42, 0.42) * toward + 0.13 * detail.wz;
+  out.relief = 0.65 * ledge * slope + clamp(rise, -0.42, 0.42) * toward + 0.18 * detail.wz;
   let tone = saturate(0.45 + 0.30 * beds.z + 0.12 * face.z + 0.16 * middle.z);
   out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.13 * detail.z + 0.10 * detail.w, 0.3);
   // Iron colours some beds.
