@@ -52,7 +52,7 @@ fn land_sand(
   }
   // Dry sand is trodden and blown; water smooths it, but leaves ripples in some places.
   let left = saturate(0.6 * middle.w - 0.2 * middle.z - 0.25) * wet;
-  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + (0.010 + 0.08 * (1.0 - wet)) * fine.wz;
+  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + (0.010 + 0.05 * (1.0 - wet)) * vec2f(fine.z, 0.6 * fine.w);
   // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
   let lively = 0.1 + 0.9 * min(run_up, 1.0);
   let lobes = lively * (0.10 * middle.z + 0.06 * fine.w + 0.04 * fine.z);
@@ -123,7 +123,7 @@ const LAND_FACE_RELIEF_M = vec2f(0.17, 0.46);
 const LAND_FACE_LEAN = 0.6;
 const LAND_DETAIL_M = 8.7;
 // Albedo of lichen, and the heights above the splash, m, between which it begins to grow.
-const LAND_LICHEN = vec3f(0.265, 0.250, 0.180);
+const LAND_LICHEN = vec3f(0.195, 0.192, 0.150);
 const LAND_LICHEN_M = vec2f(0.8, 4.0);
 
 // Bedrock: beds with ledges between them, which cracks part into blocks; dark and weedy where waves keep it wet, with
@@ -146,14 +146,14 @@ fn land_rock(
   let sunward = land_noise(face_at + off, LAND_FACE_M, 0.7 * size);
   let walls = saturate(1.6 * length(slope) - 0.3);
   // Hard beds are massive, and soft ones crumble.
-  let crumbled = saturate(0.72 - 0.32 * beds.z);
+  let crumbled = clamp(0.8 - 0.25 * beds.z, 0.45, 1.0);
   let rise = crumbled * (0.4 + 0.6 * walls) * dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
   var out: LandGround;
   // Hard beds are steep, and debris lies on soft ones.
   let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
   out.relief = 0.65 * ledge * slope + clamp(rise, -0.42, 0.42) * toward + 0.18 * detail.wz;
-  let tone = saturate(0.45 + 0.30 * beds.z + 0.12 * face.z + 0.16 * middle.z);
-  out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.13 * detail.z + 0.10 * detail.w, 0.3);
+  let tone = saturate(0.42 + 0.30 * beds.z + 0.26 * face.z + 0.16 * middle.z);
+  out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.18 * detail.z + 0.10 * detail.w, 0.3);
   // Iron colours some beds.
   out.albedo *= mix(vec3f(1.0), vec3f(1.18, 1.0, 0.78), saturate(0.2 + 0.35 * wide.w + 0.3 * beds.z));
   let dry = maths_rise(height - LAND_SPLASH * run_up, LAND_LICHEN_M);
@@ -195,9 +195,11 @@ fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4
   return out;
 }
 
-// Mean slopes of the ground around between which rock lies bare also where it is level, and how much less slope that takes
-// below these heights above the still water, m: the foot of a cliff is a platform of rock.
+// Mean slopes of the ground around between which rock lies bare also where it is level, the part of the slope of the land
+// itself that counts as much, and how much less slope it takes below these heights above the still water, m: the foot of a
+// cliff is a platform of rock.
 const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
+const LAND_CLIFF_LOCAL = 0.6;
 const LAND_FOOT_SLOPE = 0.06;
 const LAND_FOOT_M = vec2f(2.0, 4.0);
 
@@ -213,7 +215,8 @@ fn land_ground(
   let ledge = land_ledge(place, map, wide.z).y;
   let cut = ledge * slope;
   let foot = LAND_FOOT_SLOPE * (1.0 - maths_rise(height, LAND_FOOT_M));
-  let cliff = maths_rise(length(around.yz) + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES);
+  let hill = max(length(around.yz), LAND_CLIFF_LOCAL * length(slope));
+  let cliff = maths_rise(hill + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES);
   // Plants hold in patches on cliffs.
   let upright = land_rock_share(length(cut) + (0.06 + 0.10 * cliff) * middle.z + 0.05 * fine.z);
   let rock = max(upright, cliff);

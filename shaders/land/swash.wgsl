@@ -7,10 +7,10 @@ const LAND_WRACK_LINES_M = vec2f(0.10, 0.42);
 // Share of the sand under driftweed: broken strands along two lines. `above` is the height above the run-up.
 fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
   // Swash ends in curves, and each line is a few strands. A pixel averages what is narrower than it.
-  let bent = above + 0.10 * middle.z + 0.030 * fine.z + 0.012 * fine.w;
+  let bent = above + 0.10 * middle.z + 0.016 * fine.z + 0.007 * fine.w;
   let off = abs(vec2f(bent) - LAND_WRACK_LINES_M);
   let strand = abs(off - vec2f(0.035, 0.025));
-  let least = vec2f(0.007, 0.005);
+  let least = vec2f(0.010, 0.007);
   let width = least + 0.08 * size;
   let lines = saturate(1.2 - strand / width) * (least / width);
   let scraps = saturate(1.0 - off * vec2f(7.0, 12.0)) * saturate(0.9 * fine.w + 0.8 * fine.z - 1.1);
@@ -25,7 +25,7 @@ const LAND_MARKS_SHARE = 0.12;
 // cross.
 fn land_swash_marks(height: f32, run_up: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
   let apart = LAND_MARKS_SHARE * (0.4 + run_up);
-  let bent = vec2f(height) + vec2f(0.10, -0.06) * middle.zw + vec2f(0.03, 0.02) * fine.zw;
+  let bent = vec2f(height) + vec2f(0.07, -0.045) * middle.zw + vec2f(0.010, 0.007) * fine.zw;
   let off = apart * abs(fract(bent / (apart * vec2f(1.0, 1.37))) - 0.5);
   let width = 0.003 + 0.08 * size;
   let lines = saturate(1.3 - off / width) * (0.003 / width);
