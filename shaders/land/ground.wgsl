@@ -5,8 +5,8 @@ const LAND_WIDE_M = 437.0;
 const LAND_REGION_M = 2230.0;
 
 // Heights up to which waves splash stone, and up to which it is weedy, relative to that which they run up a beach.
-const LAND_SPLASH = 1.3;
-const LAND_WEED_ZONE = 0.5;
+const LAND_SPLASH = 1.9;
+const LAND_WEED_ZONE = 0.7;
 // Heights above the still water, m, that the tide keeps wet (x) and weedy (y) also where there are no waves.
 const LAND_TIDE_M = vec2f(0.40, 0.28);
 // Fraction of its albedo that wet stone keeps.

@@ -40,6 +40,11 @@ fn mesh_fragment(in: LandMeshFragment) -> LandGBuffer {
 // Width of the ground, m, by which hollows and the feet of cliffs are told.
 const LAND_AROUND_M = 40.0;
 
+// Distance before steep land, m, at which the run-up of the waves that wash it is read, and the mean slopes between which
+// land becomes steep.
+const LAND_BEFORE_STEEP_M = 14.0;
+const LAND_BEFORE_SLOPES = vec2f(0.12, 0.22);
+
 // Share of the sky that the land around leaves open: less in hollows and at the foot of cliffs. `around` is the mean height
 // of the land over LAND_AROUND_M, m.
 fn land_open_sky(place: vec2f, height: f32, around: f32, size: f32) -> f32 {
@@ -119,9 +124,12 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let facing = max(-dir.y + dot(land_to_world(mesh_slope), dir.xz), 0.0) * inverseSqrt(1.0 + dot(mesh_slope, mesh_slope));
   let size = 0.58 * frame.pixel_angle * distance_m * inverseSqrt(max(facing, 0.02));
   let map = land_at(place, land_lod(size));
-  let run_up = land_run_up_m(position.xz);
   var slope = mix(map.yz, mesh_slope, is_outside);
   let around = land_at(place, land_lod(max(LAND_AROUND_M, size)));
+  // Before steep land, the waves that wash it are known some metres away.
+  let steep = length(around.yz);
+  let before = (LAND_BEFORE_STEEP_M * maths_rise(steep, LAND_BEFORE_SLOPES) / max(steep, 1e-3)) * around.yz;
+  let run_up = land_run_up_m(position.xz - land_to_world(before));
   var ground: LandGround;
   if shown.y == 0.0 {
     ground = land_ground(place, height, run_up, map * (1.0 - is_outside), slope, size, around * (1.0 - is_outside));
