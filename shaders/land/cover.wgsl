@@ -87,12 +87,13 @@ fn cover_grass(place: vec2f) -> vec2f {
     return vec2f(map.x, 0.0);
   }
   let wide = land_noise(place, LAND_WIDE_M, 0.5);
+  let ledge = land_ledge(place, map, wide.z);
   let middle = land_noise(place.yx, LAND_MIDDLE_M, 0.2);
   let fine = land_noise(land_turned(place), LAND_FINE_M, 0.2);
-  let bare = max(land_rock_share(length(map.yz)), land_built_share(map));
+  let bare = max(land_rock_share(ledge.y * length(map.yz)), land_built_share(map));
   let back = land_back_share(place, map.x, wide.z);
   let share = mix(land_marram_share(map.x, middle, fine, wide), COVER_BACK_SHARE, back);
-  return vec2f(map.x, share * (1.0 - bare));
+  return vec2f(map.x + ledge.x, share * (1.0 - bare));
 }
 
 @vertex

@@ -5,8 +5,8 @@ const LAND_WIDE_M = 437.0;
 const LAND_REGION_M = 2230.0;
 
 // Heights up to which waves splash stone, and up to which it is weedy, relative to that which they run up a beach.
-const LAND_SPLASH = 1.3;
-const LAND_WEED_ZONE = 0.5;
+const LAND_SPLASH = 1.9;
+const LAND_WEED_ZONE = 0.7;
 // Heights above the still water, m, that the tide keeps wet (x) and weedy (y) also where there are no waves.
 const LAND_TIDE_M = vec2f(0.40, 0.28);
 // Fraction of its albedo that wet stone keeps.
@@ -20,43 +20,47 @@ struct LandGround {
   film: f32,
 }
 
-// Colour of dry driftweed, and heights above the run-up, m, at which the swash of two tides has left it.
-const LAND_WRACK = vec3f(0.105, 0.080, 0.050);
-const LAND_WRACK_LINES_M = vec2f(0.10, 0.42);
+// Share of a film of water in the look of sand that the last waves have left.
+const LAND_SHEEN = 0.3;
 
-// Share of the sand under driftweed: broken strands along two lines. `above` is the height above the run-up.
-fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
-  // Swash ends in curves, and each line is a few strands. A pixel averages what is narrower than it.
-  let bent = above + 0.10 * middle.z + 0.030 * fine.z + 0.012 * fine.w;
-  let off = abs(vec2f(bent) - LAND_WRACK_LINES_M);
-  let strand = abs(off - vec2f(0.035, 0.025));
-  let least = vec2f(0.007, 0.005);
-  let width = least + 0.08 * size;
-  let lines = saturate(1.2 - strand / width) * (least / width);
-  let scraps = saturate(1.0 - off * vec2f(7.0, 12.0)) * saturate(0.9 * fine.w + 0.8 * fine.z - 1.1);
-  let left = saturate(vec2f(0.75, 0.45) + vec2f(0.6 * middle.w, 0.55 * middle.z) + 0.35 * fine.w);
-  return saturate(0.85 * dot(lines, left) + 0.22 * dot(scraps, left));
-}
+// Side of the tile of the grain of sand, m, and the width of a pixel, m, from which it is not seen.
+const LAND_GRAIN_M = 0.83;
+const LAND_GRAIN_SEEN_M = 0.02;
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
-fn land_sand(height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32) -> LandGround {
+fn land_sand(
+  place: vec2f, height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32,
+) -> LandGround {
   let wet = land_wetness(height, middle.z + 0.5 * fine.w, run_up + 0.04);
   // The last waves have left it darker, up to a line of lobes.
   let fresh = land_wetness(height, 1.5 * middle.w + 0.6 * middle.z, 0.72 * run_up + 0.02);
   // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
   var out: LandGround;
-  out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.07 * rippled * fine.y);
+  out.albedo = land_sand_albedo(middle, fine) * (1.0 + 0.10 * rippled * fine.y);
+  if size < LAND_GRAIN_SEEN_M {
+    let grain = land_noise(place, LAND_GRAIN_M, size);
+    out.albedo *= max(1.0 + (1.0 - size / LAND_GRAIN_SEEN_M) * dot(vec2f(0.11, 0.06), grain.zw), 0.3);
+  }
   let above = height - run_up;
   if above > -0.3 && above < 0.9 {
     out.albedo = mix(out.albedo, LAND_WRACK, land_wrack(above, middle, fine, size));
   }
   out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.6 * wet + 0.4 * fresh);
-  out.relief = vec2f(0.30 * rippled * fine.x, 0.0);
+  if wet > 0.0 {
+    out.albedo *= 1.0 - 0.45 * wet * land_swash_marks(height, run_up, middle, fine, size);
+  }
+  // Dry sand is trodden and blown; water smooths it, but leaves ripples in some places.
+  // Far away its pattern would show repeats.
+  let trodden = (0.008 + 0.05 * (1.0 - wet)) * saturate(0.7 + 0.4 * middle.w) * saturate(1.2 - 5.0 * size);
+  let left = saturate(0.6 * middle.w - 0.2 * middle.z - 0.25) * wet;
+  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + trodden * vec2f(0.6 * fine.z, fine.w);
   // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
   let lively = 0.1 + 0.9 * min(run_up, 1.0);
   let lobes = lively * (0.10 * middle.z + 0.06 * fine.w + 0.04 * fine.z);
-  out.film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 5.0 / lively + 0.5);
+  let film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 5.0 / lively + 0.5);
+  // Sand that is full of water shines a little.
+  out.film = max(film, LAND_SHEEN * fresh * fresh);
   return out;
 }
 
@@ -66,26 +70,34 @@ fn land_marram_share(height: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> f3
   return maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.2 + 3.2 * cover) * saturate(1.5 * cover);
 }
 
-// Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow on.
+// Unit vector towards the sun, in the frame of the coast.
+fn land_toward_sun() -> vec2f {
+  let across = frame.sun_direction.xz;
+  return land_from_world(across) * inverseSqrt(max(dot(across, across), 1e-6));
+}
+
+// Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow
+// on, `most` the largest share that they cover.
 fn land_plants(
-  ground: LandGround, place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
+  ground: LandGround, most: f32, place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f,
 ) -> LandGround {
   let back = land_back_share(place, height, wide.z);
   let tips = saturate(0.5 + 0.32 * fine.z + 0.2 * middle.z);
   var green = mix(LAND_MARRAM, LAND_STRAW, 0.75 * tips);
   if back > 0.0 {
     let region = land_noise(land_turned(place), LAND_REGION_M, size);
-    let soil = mix(LAND_HEATH, LAND_TURF, saturate(0.5 + 0.35 * wide.w + 0.4 * region.w));
-    green = mix(green, soil * max(1.0 + 0.2 * fine.z + 0.16 * middle.z + 0.1 * region.z, 0.4), back);
-    let thicket = 0.75 * region.z + 0.45 * wide.z + 0.3 * middle.w;
-    let scrub = maths_smooth(0.8 * thicket - 0.05) * back;
-    // Round crowns, bright towards the sun.
-    let toward = land_from_world(frame.sun_direction.xz);
-    let sunward = land_noise((place + 0.9 * toward).yx, LAND_MIDDLE_M, size);
-    let lit = max(1.0 + 0.3 * middle.w + 0.55 * (middle.w - sunward.w), 0.15);
+    let soil = mix(LAND_HEATH, LAND_TURF, saturate(0.5 + 0.45 * wide.w + 0.3 * region.w + 0.35 * middle.z));
+    // Round crowns and tussocks, bright towards the sun and dark between each other.
+    let sunward = land_noise((place + 0.7 * land_toward_sun()).yx, LAND_MIDDLE_M, size);
+    let bright = middle.zw - sunward.zw;
+    let tussocks = 1.0 + 0.24 * fine.z + 0.1 * fine.w + 0.22 * middle.w + 0.45 * bright.x + 0.35 * bright.y;
+    green = mix(green, soil * max(tussocks, 0.25), back);
+    let thicket = 0.75 * region.z + 0.45 * wide.z + 0.45 * middle.w;
+    let scrub = maths_smooth(1.2 * thicket - 0.1) * back;
+    let lit = max(1.0 + 0.4 * middle.w + 0.7 * bright.y + 0.15 * fine.w, 0.15);
     green = mix(green, LAND_SCRUB * lit, scrub);
   }
-  let share = max(land_marram_share(height, middle, fine, wide), back);
+  let share = most * max(land_marram_share(height, middle, fine, wide), back);
   var out = ground;
   out.albedo = mix(ground.albedo, max(green, vec3f(0.008)), share);
   // Tufts stand up: their sides face all directions.
@@ -103,20 +115,57 @@ fn land_washed(albedo: vec3f, height: f32, run_up: f32, bend: f32) -> vec4f {
   return vec4f(mix(dark, LAND_WEED + 0.18 * albedo, 0.85 * weedy), wet);
 }
 
-// Bedrock in layers, dark and weedy where waves keep it wet.
-fn land_rock(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> LandGround {
-  // Layers dip gently; cracks cross them.
-  let layer = height + 0.11 * place.x - 0.05 * place.y + 1.1 * wide.z;
-  let strata = land_noise(vec2f(0.045 * (place.x - place.y), layer), 11.0, 0.25 * size);
-  let face = land_noise(vec2f(place.x + 0.6 * place.y, height), 19.0, size);
-  let tone = saturate(0.5 + 0.30 * strata.z + 0.10 * strata.w + 0.12 * middle.z);
+// Sides of the tiles of noise of beds and of blocks of rock, m, and how much beds stretch along their strike.
+const LAND_BEDS_M = 17.0;
+const LAND_FACE_M = 59.0;
+const LAND_BEDS_STRETCH = 0.05;
+// Heights of lumps and of blocks of rock, m for each deviation of their noise.
+const LAND_FACE_RELIEF_M = vec2f(0.17, 0.46);
+// Share of the distance inland in the vertical coordinate of faces, and side of the tile of their finest detail, m.
+const LAND_FACE_LEAN = 0.6;
+const LAND_DETAIL_M = 8.7;
+// Albedo of lichen, and the heights above the splash, m, between which it begins to grow.
+const LAND_LICHEN = vec3f(0.195, 0.192, 0.150);
+const LAND_LICHEN_M = vec2f(0.8, 4.0);
+
+// Bedrock: beds with ledges between them, which cracks part into blocks; dark and weedy where waves keep it wet, with
+// lichen above. `slope` is that of the land with its ledges, `around` is that of land_ground.
+fn land_rock(
+  place: vec2f, height: f32, run_up: f32, slope: vec2f, around: vec4f, size: f32, middle: vec4f, wide: vec4f,
+) -> LandGround {
+  let toward = land_toward_sun();
+  let layer = land_layer(place, height, wide.z);
+  let beds = land_noise(vec2f(LAND_BEDS_STRETCH * (place.x - place.y), layer), LAND_BEDS_M, 0.4 * size);
+  // The pattern of a face is seen from the side and above. Where the land turns a corner, another face begins.
+  let is_along_y = abs(around.y) > abs(around.z);
+  let axis = select(vec2f(0.0, sign(around.z)), vec2f(sign(around.y), 0.0), is_along_y);
+  let face_at = vec2f(dot(place, abs(axis.yx)), height + LAND_FACE_LEAN * dot(place, axis));
+  let face = land_noise(face_at, LAND_FACE_M, 0.7 * size);
+  let detail = land_noise(face_at.yx, LAND_DETAIL_M, 0.7 * size);
+  // Only the slope towards the sun decides how bright a face is, and it takes one read more, not two as both axes do.
+  let step_m = 0.15 + 0.7 * size;
+  let off = step_m * vec2f(dot(toward, abs(axis.yx)), dot(slope + LAND_FACE_LEAN * axis, toward));
+  let sunward = land_noise(face_at + off, LAND_FACE_M, 0.7 * size);
+  let walls = saturate(1.6 * length(slope) - 0.3);
+  // Hard beds are massive, and soft ones crumble.
+  let crumbled = clamp(0.8 - 0.25 * beds.z, 0.45, 1.0);
+  let rise = crumbled * (0.4 + 0.6 * walls) * dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
   var out: LandGround;
-  out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.16 * face.w + 0.10 * fine.z, 0.3);
-  // Lichen and iron colour what the spray no longer reaches.
-  out.albedo *= mix(vec3f(1.0), vec3f(1.16, 1.0, 0.80), saturate(0.4 * wide.w + 0.3 * middle.w));
-  let washed = land_washed(out.albedo, height, run_up, 1.4 * middle.z + 0.5 * fine.z);
-  out.albedo = washed.rgb;
-  out.relief = vec2f(0.35 * face.z + 0.25 * strata.z, 0.32 * face.w);
+  // Hard beds are steep, and debris lies on soft ones.
+  let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
+  out.relief = 0.65 * ledge * slope + clamp(rise, -0.42, 0.42) * toward + 0.18 * detail.wz;
+  let tone = saturate(0.42 + 0.30 * beds.z + 0.26 * face.z + 0.16 * middle.z);
+  out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.18 * detail.z + 0.10 * detail.w, 0.3);
+  // Iron colours some beds.
+  out.albedo *= mix(vec3f(1.0), vec3f(1.18, 1.0, 0.78), saturate(0.2 + 0.35 * wide.w + 0.3 * beds.z));
+  let dry = maths_rise(height - LAND_SPLASH * run_up, LAND_LICHEN_M);
+  let lichen = dry * maths_smooth(0.5 * detail.z + 0.4 * face.z + 0.3 * middle.z);
+  out.albedo = mix(out.albedo, LAND_LICHEN, 0.55 * lichen);
+  let washed = land_washed(out.albedo, height, run_up, 1.2 * middle.z + 0.5 * detail.z);
+  // Little light reaches cracks, joints between beds, and what is below a ledge.
+  let cracks = saturate(vec3f(-0.8, -0.7 * walls, -0.6) * vec3f(face.w, beds.w, detail.w) - vec3f(0.45, 0.4, 0.5));
+  let open = (1.0 - (0.4 + 0.5 * crumbled) * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.3 * cracks.z);
+  out.albedo = washed.rgb * open;
   out.film = 0.35 * washed.w;
   return out;
 }
@@ -148,23 +197,40 @@ fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4
   return out;
 }
 
+// Mean slopes of the ground around between which rock lies bare also where it is level, the part of the slope of the land
+// itself that counts as much, and how much less slope it takes below these heights above the still water, m: the foot of a
+// cliff is a platform of rock.
+const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
+const LAND_CLIFF_LOCAL = 0.6;
+const LAND_FOOT_SLOPE = 0.06;
+const LAND_FOOT_M = vec2f(2.0, 4.0);
+
 // The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there, `size`
-// the width of the texels that are averaged over the pixel, m. Waves run up to the height `run_up`, m.
-fn land_ground(place: vec2f, height: f32, run_up: f32, map: vec4f, slope: vec2f, size: f32) -> LandGround {
+// the width of the texels that are averaged over the pixel, m, and `around` the map's mean over LAND_AROUND_M. Waves run
+// up to the height `run_up`, m.
+fn land_ground(
+  place: vec2f, height: f32, run_up: f32, map: vec4f, slope: vec2f, size: f32, around: vec4f,
+) -> LandGround {
   let wide = land_noise(place, LAND_WIDE_M, size);
   let middle = land_noise(place.yx, LAND_MIDDLE_M, size);
   let fine = land_noise(land_turned(place), LAND_FINE_M, size);
-  var out = land_sand(height, run_up, middle, fine, wide, size);
-  if height > LAND_GRASS_M - 2.0 {
-    out = land_plants(out, place, height, size, middle, fine, wide);
-  }
-  let steep = length(slope) + 0.06 * middle.z + 0.05 * fine.z;
-  let rock = land_rock_share(steep);
+  let ledge = land_ledge(place, map, wide.z).y;
+  let cut = ledge * slope;
+  let foot = LAND_FOOT_SLOPE * (1.0 - maths_rise(height, LAND_FOOT_M));
+  let hill = max(length(around.yz), LAND_CLIFF_LOCAL * length(slope));
+  let cliff = maths_rise(hill + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES);
+  // Plants hold in patches on cliffs.
+  let upright = land_rock_share(length(cut) + (0.06 + 0.10 * cliff) * middle.z + 0.05 * fine.z);
+  let rock = max(upright, cliff);
   let built = land_built_share(map);
+  var out = land_sand(place, height, run_up, middle, fine, wide, size);
   if rock * (1.0 - built) > 0.0 {
-    let stone = land_rock(place, height, run_up, size, middle, fine, wide);
+    let stone = land_rock(place, height, run_up, cut, around, size, middle, wide);
     out = LandGround(
       mix(out.albedo, stone.albedo, rock), mix(out.relief, stone.relief, rock), mix(out.film, stone.film, rock));
+  }
+  if height > LAND_GRASS_M - 2.0 && upright < 1.0 {
+    out = land_plants(out, 1.0 - upright, place, height, size, middle, fine, wide);
   }
   if built > 0.0 {
     var made = land_concrete(place, height, size, middle, fine);
@@ -174,5 +240,6 @@ fn land_ground(place: vec2f, height: f32, run_up: f32, map: vec4f, slope: vec2f,
     out = LandGround(
       mix(out.albedo, made.albedo, built), mix(out.relief, made.relief, built), mix(out.film, made.film, built));
   }
+  out.relief += (ledge - 1.0) * slope;
   return out;
 }

@@ -23,7 +23,10 @@ struct LandMeshFragment {
 @vertex
 fn mesh_vertex(@builtin(vertex_index) i: u32) -> LandMeshFragment {
   let v = land_vertices[i];
-  return LandMeshFragment(land_clip(land_from_eye(v.place, v.height_m)), unpack2x16float(v.slope));
+  let slope = unpack2x16float(v.slope);
+  let bend = land_noise(v.place, LAND_WIDE_M, 1.0).z;
+  let ledge = land_ledge(v.place, vec4f(v.height_m, slope, 0.0), bend);
+  return LandMeshFragment(land_clip(land_from_eye(v.place, v.height_m + ledge.x)), slope);
 }
 
 @fragment
@@ -34,15 +37,28 @@ fn mesh_fragment(in: LandMeshFragment) -> LandGBuffer {
 @group(2) @binding(1) var undisplaced_map: texture_2d<f32>;
 @group(2) @binding(2) var slope_map: texture_2d<f32>;
 
-// Share of the sky that the land around leaves open: less in hollows and at the foot of cliffs.
-fn land_open_sky(place: vec2f, height: f32, size: f32) -> f32 {
+// Width of the ground, m, by which hollows and the feet of cliffs are told.
+const LAND_AROUND_M = 40.0;
+
+// Distance before steep land, m, at which the run-up of the waves that wash it is read, and the mean slopes between which
+// land becomes steep.
+const LAND_BEFORE_STEEP_M = 14.0;
+const LAND_BEFORE_SLOPES = vec2f(0.12, 0.22);
+
+// Share of the sky that the land around leaves open: less in hollows and at the foot of cliffs. `around` is the mean height
+// of the land over LAND_AROUND_M, m.
+fn land_open_sky(place: vec2f, height: f32, around: f32, size: f32) -> f32 {
   let near = land_at(place, land_lod(max(5.0, size))).x - height;
-  let around = land_at(place, land_lod(max(40.0, size))).x - height;
-  return 1.0 / (1.0 + 0.55 * max(near, 0.0) + 0.09 * max(around, 0.0));
+  return 1.0 / (1.0 + 0.55 * max(near, 0.0) + 0.09 * max(around - height, 0.0));
 }
 
-// Light that a film of water mirrors towards the eye (rgb), and its reflectance (w).
-fn land_film_mirror(v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
+// Distances, m, at which a film of water looks for land that it mirrors, and half the range of tangents over which that
+// land blends with the sky.
+const LAND_FILM_REACH_M = vec2f(26.0, 80.0);
+const LAND_FILM_BLEND = 0.04;
+
+// Light that a film of water at a place mirrors towards the eye (rgb), and its reflectance (w).
+fn land_film_mirror(place: vec2f, height: f32, v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
   let square = 1.0 + dot(slope, slope);
   let facing = max(v.y - dot(v.xz, slope), 1e-3);
   let reflectance = water_fresnel(facing * inverseSqrt(square));
@@ -51,6 +67,16 @@ fn land_film_mirror(v: vec3f, slope: vec2f, sun: vec3f) -> vec4f {
   let uv = 0.5 - over * (twice * slope + square * v.xz);
   let layer = mirrored_sky_layer(2.0 * LAND_FILM_ROUGHNESS);
   var radiance = reflectance * textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), layer), 0.0).rgb;
+  // Land that rises before the film hides the sky.
+  let across = twice * slope + square * v.xz;
+  let over_level = inverseSqrt(max(dot(across, across), 1e-8));
+  let toward = -over_level * land_from_world(across);
+  let near = land_at(place + LAND_FILM_REACH_M.x * toward, land_lod(0.3 * LAND_FILM_REACH_M.x));
+  let far = land_at(place + LAND_FILM_REACH_M.y * toward, land_lod(0.3 * LAND_FILM_REACH_M.y));
+  let rise = (vec2f(near.x, far.x) - height) / LAND_FILM_REACH_M;
+  let sky_rise = (twice - square * v.y) * over_level;
+  let hidden = maths_smooth(0.5 + (max(rise.x, rise.y) - sky_rise) * (0.5 / LAND_FILM_BLEND));
+  radiance = mix(radiance, reflectance * land_far_radiance(place + LAND_FILM_REACH_M.y * toward, far), hidden);
   let between = frame.sun_direction + v;
   if frame.sun_direction.y > 0.0 && between.y > 0.01 {
     let off = -between.xz / between.y - slope;
@@ -98,11 +124,15 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let facing = max(-dir.y + dot(land_to_world(mesh_slope), dir.xz), 0.0) * inverseSqrt(1.0 + dot(mesh_slope, mesh_slope));
   let size = 0.58 * frame.pixel_angle * distance_m * inverseSqrt(max(facing, 0.02));
   let map = land_at(place, land_lod(size));
-  let run_up = land_run_up_m(position.xz);
   var slope = mix(map.yz, mesh_slope, is_outside);
+  let around = land_at(place, land_lod(max(LAND_AROUND_M, size)));
+  // Before steep land, the waves that wash it are known some metres away.
+  let steep = length(around.yz);
+  let before = (LAND_BEFORE_STEEP_M * maths_rise(steep, LAND_BEFORE_SLOPES) / max(steep, 1e-3)) * around.yz;
+  let run_up = land_run_up_m(position.xz - land_to_world(before));
   var ground: LandGround;
   if shown.y == 0.0 {
-    ground = land_ground(place, height, run_up, map * (1.0 - is_outside), slope, size);
+    ground = land_ground(place, height, run_up, map * (1.0 - is_outside), slope, size, around * (1.0 - is_outside));
   } else {
     slope = mesh_slope;
     ground = cover_ground(shown.y, mesh.z, place, height, run_up, size);
@@ -113,13 +143,14 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   var sunlight = cloud_sun_irradiance();
   if LAND_SHADOWS {
-    sunlight *= land_visible_sun(place, height);
+    // The map does not know the treads below ledges.
+    sunlight *= land_visible_sun(place, max(height, map.x));
   }
   sunlight *= 0.3 + 0.7 * mesh.w;
   let tilt = land_to_world(slope + ground.relief);
   let n = vec3f(-tilt.x, 1.0, -tilt.y) * inverseSqrt(1.0 + dot(tilt, tilt));
   let l = frame.sun_direction;
-  let open = mesh.w * mix(land_open_sky(place, height, size), 1.0, is_outside);
+  let open = mesh.w * mix(land_open_sky(place, height, around.x, size), 1.0, is_outside);
   // A slope sees less of the sky and, instead, ground nearby, which reflects a fifth of the light that falls on it.
   let level = sunlight * max(l.y, 0.0) + light.sky_irradiance;
   let up = 0.5 + 0.5 * n.y;
@@ -130,9 +161,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   var radiance = ground.albedo * (sunlight * cosine + sky_light) / ATM_PI;
   if ground.film > 0.0 {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
-    let smooth_tilt = land_to_world(slope);
+    let smooth_tilt = LAND_FILM_TILT * land_to_world(slope);
     let v = vec3f(-dir.x, max(-dir.y, 1e-3), -dir.z);
-    let mirror = land_film_mirror(v, smooth_tilt, sunlight);
+    let mirror = land_film_mirror(place, height, v, smooth_tilt, sunlight);
     let entering = sunlight * (cosine * (1.0 - water_fresnel(cosine))) + 0.934 * sky_light;
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;

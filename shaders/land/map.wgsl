@@ -6,8 +6,10 @@ override WATER_LAND: bool = false;
 // Undisplaced position from which a pixel of the G-buffer shows no water (`NO_WATER_M` in src/render/targets.rs), m.
 const LAND_NO_WATER_M = 5e8;
 
-// Standard deviation of the slopes of a film of water on sand.
+// Standard deviation of the slopes of a film of water on sand, and its mean slope relative to that of the sand: a sheet
+// that drains is thickest at its foot.
 const LAND_FILM_ROUGHNESS = 0.025;
+const LAND_FILM_TILT = 0.5;
 
 // Position in the frame of the coast, m, of a point (x, z) relative to the one below the eye, m.
 fn land_place(at: vec2f) -> vec2f {
@@ -67,4 +69,34 @@ fn land_noise(place: vec2f, tile_m: f32, size: f32) -> vec4f {
   let lod = max(log2(max(size, 1e-6) * (512.0 / tile_m)), 0.0);
   let texel = textureSampleLevel(noise_map, noise_sampler, place * (1.0 / tile_m), 1, lod);
   return (texel - 0.5) * vec4f(2.0, 3.2, 6.4, 6.4);
+}
+
+// Slopes of the beds of rock in the frame of the coast, and height of their bends, m for each deviation of their noise.
+const LAND_DIP = vec2f(0.17, -0.09);
+const LAND_BENDS_M = 1.3;
+// Thickness of two hard beds of rock and the soft ones between, m; the part of it where the ledge is steep, and how much
+// of the height is cut into ledges. There are none below these heights above the still water, m.
+const LAND_LEDGE_M = 5.5;
+const LAND_LEDGE_STEEP = vec2f(0.20, 0.80);
+const LAND_LEDGE_SHARE = 0.65;
+const LAND_LEDGE_FROM_M = vec2f(2.5, 6.0);
+
+// Height of a place over the lowest bed, m. `bend` is the noise over hundreds of metres.
+fn land_layer(place: vec2f, height: f32, bend: f32) -> f32 {
+  return height + dot(LAND_DIP, place) + LAND_BENDS_M * bend;
+}
+
+// How much the ledges of rock raise the land of the map, m (x), and the factor on its slope (y). `map` is that of land_at.
+fn land_ledge(place: vec2f, map: vec4f, bend: f32) -> vec2f {
+  let share = LAND_LEDGE_SHARE * land_rock_share(length(map.yz)) * maths_rise(map.x, LAND_LEDGE_FROM_M);
+  // Thick beds follow thin ones.
+  let layer = land_layer(place, map.x, bend) * (1.0 / LAND_LEDGE_M);
+  let turn = 2.3 * layer;
+  let bed = layer + 0.27 * sin(turn);
+  let part = fract(bed);
+  let width = LAND_LEDGE_STEEP.y - LAND_LEDGE_STEEP.x;
+  let t = saturate((part - LAND_LEDGE_STEEP.x) / width);
+  let raised = t * t * (3.0 - 2.0 * t) - part;
+  let steeper = (6.0 * t * (1.0 - t) / width - 1.0) * (1.0 + 0.62 * cos(turn));
+  return share * vec2f(LAND_LEDGE_M * raised, steeper) + vec2f(0.0, 1.0);
 }

@@ -3,15 +3,6 @@
 // Tangent of the elevation above which no land is looked for.
 const LAND_MIRROR_HIGHEST = 0.5;
 
-// Radiance of the ground at a place in the frame of the coast, as seen from far away. `map` is that of land_at.
-fn land_far_radiance(place: vec2f, map: vec4f) -> vec3f {
-  let tilt = land_to_world(map.yz);
-  let up = inverseSqrt(1.0 + dot(tilt, tilt));
-  let cosine = max(dot(vec3f(-tilt.x, 1.0, -tilt.y), frame.sun_direction), 0.0) * up;
-  let irradiance = cloud_sun_irradiance() * cosine + (0.5 + 0.5 * up) * light.sky_irradiance;
-  return land_mean_albedo(place, map) * irradiance * (1.0 / ATM_PI);
-}
-
 // Replaces what the water mirrors by the land, where its rays meet land. `place` is that of the water in the frame of the
 // coast, `height` its height, m. All rays that meet the land see the colour of the land that the middle one meets, or of the
 // highest if that one passes over it.

@@ -55,7 +55,7 @@ fn shore_thin_slope(slope: WaterSlope, ground: vec4f, height: f32) -> WaterSlope
   let sand = maths_smooth(2.0 - 5.0 * length(ground.yz));
   let share = sand * (1.0 - maths_smooth((height - ground.x) / SHORE_THIN_M));
   var out = slope;
-  out.mean = mix(slope.mean, land_to_world(ground.yz), share);
+  out.mean = mix(slope.mean, LAND_FILM_TILT * land_to_world(ground.yz), share);
   out.variance = mix(slope.variance, vec3f(vec2f(LAND_FILM_ROUGHNESS * LAND_FILM_ROUGHNESS), 0.0), share);
   out.half_slope_difference *= 1.0 - share;
   return out;
