@@ -70,14 +70,11 @@ struct SprayFragment {
 // Values of the foam map at an undisplaced position: foam, source, front and plume. The finest level is left out: its
 // smallest fronts move more slowly than the large ones that throw up spray.
 fn spray_foam(at: vec2f) -> vec4f {
-  for (var level = 1u; level < frame.foam_level_count; level++) {
-    let map = frame.foam_levels[level];
-    let off = abs(at - map.centre);
-    if max(off.x, off.y) * map.inverse_half_side < 1.0 {
-      return textureSampleLevel(foam_map, nearest_mip_sampler, map.uv_below_eye + at * map.inverse_side, level, 0.0);
-    }
+  let level = foam_finest_level(1u, at, 0.0);
+  if level == frame.foam_level_count {
+    return vec4f(0.0);
   }
-  return vec4f(0.0);
+  return foam_cell(level, at);
 }
 
 // Share of a grid's puffs that are seen at a distance from the eye, so that grids take turns gradually.

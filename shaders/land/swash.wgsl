@@ -43,16 +43,11 @@ const SWASH_ALBEDO = 0.55;
 // Part of the water that foam covers at a point (x, z) relative to the one below the eye, by the finest level of the map
 // that holds it, over texels of `size` metres.
 fn swash_cover(at: vec2f, size: f32) -> f32 {
-  for (var level = 0u; level < frame.foam_level_count; level++) {
-    let map = frame.foam_levels[level];
-    let off = abs(at - map.centre);
-    if max(off.x, off.y) * map.inverse_half_side < 1.0 && size * map.inverse_cell < 3.0 {
-      let uv = map.uv_below_eye + at * map.inverse_side;
-      let foam = textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0).x;
-      return min(foam * frame.foam_amount, 1.0);
-    }
+  let level = foam_finest_level(0u, at, size);
+  if level == frame.foam_level_count {
+    return 0.0;
   }
-  return 0.0;
+  return min(foam_cell(level, at).x * frame.foam_amount, 1.0);
 }
 
 // Opacity of the foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_look.wgsl),

@@ -3,6 +3,25 @@
 // Layers: the levels of the map. Foam (x), its current source (y), front of a breaker (z) and plume of bubbles (w).
 @group(1) @binding(3) var foam_map: texture_2d_array<f32>;
 
+// The finest level of the map from `first` on that holds a point (x, z) relative to the one below the eye, m, and whose
+// cells are longer than a third of `size`, m; the number of levels, if there is none.
+fn foam_finest_level(first: u32, at: vec2f, size: f32) -> u32 {
+  for (var level = first; level < frame.foam_level_count; level++) {
+    let map = frame.foam_levels[level];
+    let off = abs(at - map.centre);
+    if max(off.x, off.y) * map.inverse_half_side < 1.0 && size * map.inverse_cell < 3.0 {
+      return level;
+    }
+  }
+  return frame.foam_level_count;
+}
+
+// Values of a level of the map at a point.
+fn foam_cell(level: u32, at: vec2f) -> vec4f {
+  let map = frame.foam_levels[level];
+  return textureSampleLevel(foam_map, nearest_mip_sampler, map.uv_below_eye + at * map.inverse_side, level, 0.0);
+}
+
 // Noise layers: windrows of tens of metres, patches of metres, strands of decimetres, threads of centimetres.
 const FOAM_WINDROW_LAYER = 0u;
 const FOAM_PATCH_LAYER = 1u;

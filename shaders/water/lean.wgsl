@@ -101,19 +101,11 @@ fn lean_mirror(v: vec3f, slope: WaterSlope) -> WaterMirror {
 // Foam in a pixel, from the finest level that holds it and is no finer than it.
 fn lean_foam_level(at: vec2f, foot: LeanFootprint) -> FoamAmount {
   let texel_m = WATER_TAP_TEXEL_RATIO * foot.side_m;
-  var cell = vec4f(0.0);
-  var filled = 0.0;
-  for (var level = 0u; level < frame.foam_level_count; level++) {
-    let map = frame.foam_levels[level];
-    let off = abs(at - map.centre);
-    if max(off.x, off.y) * map.inverse_half_side < 1.0 && texel_m * map.inverse_cell < 3.0 {
-      let uv = map.uv_below_eye + at * map.inverse_side;
-      cell = textureSampleLevel(foam_map, nearest_mip_sampler, uv, level, 0.0);
-      filled = map.front_fill;
-      break;
-    }
+  let level = foam_finest_level(0u, at, texel_m);
+  if level == frame.foam_level_count {
+    return foam_amount(vec4f(0.0), 0.0, 1.0);
   }
-  return foam_amount(cell, filled, select(0.0, 1.0, filled == 0.0));
+  return foam_amount(foam_cell(level, at), frame.foam_levels[level].front_fill, 0.0);
 }
 
 // Appearance of foam in a pixel (as foam_appearance), without threads, and with one edge for film and body. Where most
