@@ -197,17 +197,17 @@ fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4
   return out;
 }
 
-// Mean slopes of the ground around between which rock lies bare also where it is level, the part of the slope of the land
-// itself that counts as much, and how much less slope it takes below these heights above the still water, m: the foot of a
-// cliff is a platform of rock.
+// Mean slopes of the ground around between which rock lies bare also where it is level, the part of the slope of the
+// land itself that counts as much, and how much less slope it takes below these heights above the still water, m: the
+// foot of a cliff is a platform of rock.
 const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
 const LAND_CLIFF_LOCAL = 0.6;
 const LAND_FOOT_SLOPE = 0.06;
 const LAND_FOOT_M = vec2f(2.0, 4.0);
 
-// The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there, `size`
-// the width of the texels that are averaged over the pixel, m, and `around` the map's mean over LAND_AROUND_M. Waves run
-// up to the height `run_up`, m.
+// The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there,
+// `size` the width of the texels that are averaged over the pixel, m, and `around` the map's mean over LAND_AROUND_M.
+// Waves run up to the height `run_up`, m.
 fn land_ground(
   place: vec2f, height: f32, run_up: f32, map: vec4f, slope: vec2f, size: f32, around: vec4f,
 ) -> LandGround {

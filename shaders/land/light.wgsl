@@ -40,13 +40,13 @@ fn mesh_fragment(in: LandMeshFragment) -> LandGBuffer {
 // Width of the ground, m, by which hollows and the feet of cliffs are told.
 const LAND_AROUND_M = 40.0;
 
-// Distance before steep land, m, at which the run-up of the waves that wash it is read, and the mean slopes between which
-// land becomes steep.
+// Distance before steep land, m, at which the run-up of the waves that wash it is read, and the mean slopes between
+// which land becomes steep.
 const LAND_BEFORE_STEEP_M = 14.0;
 const LAND_BEFORE_SLOPES = vec2f(0.12, 0.22);
 
-// Share of the sky that the land around leaves open: less in hollows and at the foot of cliffs. `around` is the mean height
-// of the land over LAND_AROUND_M, m.
+// Share of the sky that the land around leaves open: less in hollows and at the foot of cliffs. `around` is the mean
+// height of the land over LAND_AROUND_M, m.
 fn land_open_sky(place: vec2f, height: f32, around: f32, size: f32) -> f32 {
   let near = land_at(place, land_lod(max(5.0, size))).x - height;
   return 1.0 / (1.0 + 0.55 * max(near, 0.0) + 0.09 * max(around - height, 0.0));

@@ -74,8 +74,8 @@ fn land_noise(place: vec2f, tile_m: f32, size: f32) -> vec4f {
 // Slopes of the beds of rock in the frame of the coast, and height of their bends, m for each deviation of their noise.
 const LAND_DIP = vec2f(0.17, -0.09);
 const LAND_BENDS_M = 1.3;
-// Thickness of two hard beds of rock and the soft ones between, m; the part of it where the ledge is steep, and how much
-// of the height is cut into ledges. There are none below these heights above the still water, m.
+// Thickness of two hard beds of rock and the soft ones between, m; the part of it where the ledge is steep, and how
+// much of the height is cut into ledges. There are none below these heights above the still water, m.
 const LAND_LEDGE_M = 5.5;
 const LAND_LEDGE_STEEP = vec2f(0.20, 0.80);
 const LAND_LEDGE_SHARE = 0.65;
@@ -86,7 +86,8 @@ fn land_layer(place: vec2f, height: f32, bend: f32) -> f32 {
   return height + dot(LAND_DIP, place) + LAND_BENDS_M * bend;
 }
 
-// How much the ledges of rock raise the land of the map, m (x), and the factor on its slope (y). `map` is that of land_at.
+// How much the ledges of rock raise the land of the map, m (x), and the factor on its slope (y). `map` is that of
+// land_at.
 fn land_ledge(place: vec2f, map: vec4f, bend: f32) -> vec2f {
   let share = LAND_LEDGE_SHARE * land_rock_share(length(map.yz)) * maths_rise(map.x, LAND_LEDGE_FROM_M);
   // Thick beds follow thin ones.
