@@ -41,7 +41,7 @@ const EFFECTS: [(&str, &str, &str); 6] = [
     (
         text!("Diffraction"),
         text!("Crests bend around an end into the calm behind it. Behind an island, waves from both sides cross."),
-        "Behind the island",
+        "Around the island",
     ),
     (
         text!("Reflection"),
