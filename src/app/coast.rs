@@ -12,9 +12,12 @@ use crate::state::Params;
 use crate::state::coast::{Coast, CoastFile, CoastName};
 use crate::state::params::Camera;
 
-/// Work on the coast in each frame of the page, which has no threads. It leaves time for the frame itself.
-#[cfg(target_arch = "wasm32")]
-const SLICE: web_time::Duration = web_time::Duration::from_millis(5);
+/// Least time for work on the coast in each frame, s, and the share of the time since the last frame that it may take:
+/// while a slow GPU draws, the processor has time. The rest is left for the frame itself.
+const LEAST_SLICE_S: f32 = 0.005;
+const SLICE_SHARE: f32 = 0.25;
+/// Longest work in a frame, s: a page that is slow by itself still answers a click soon.
+const MOST_SLICE_S: f32 = 0.4;
 /// Interval at which the progress of the solution is shown, while nothing else asks for frames.
 #[cfg(not(target_arch = "wasm32"))]
 const SHOWN_EVERY: std::time::Duration = std::time::Duration::from_millis(100);
@@ -47,7 +50,7 @@ pub struct AppCoast {
 impl Default for AppCoast {
     fn default() -> Self {
         #[cfg(target_arch = "wasm32")]
-        let worker = Worker::EachCall(SLICE);
+        let worker = Worker::EachCall;
         #[cfg(not(target_arch = "wasm32"))]
         let worker = Worker::Thread;
         Self { task: CoastTask::new(worker), file: None, maps: CoastMaps::default() }
@@ -66,6 +69,12 @@ impl AppCoast {
     }
 }
 
+/// Time for which this frame works on the coast.
+pub fn work_slice(ctx: &egui::Context) -> web_time::Duration {
+    let slice_s = SLICE_SHARE * ctx.input(|i| i.unstable_dt);
+    web_time::Duration::from_secs_f32(slice_s.clamp(LEAST_SLICE_S, MOST_SLICE_S))
+}
+
 impl App {
     /// Gives a coast that is a file the one that was opened last, if it has none.
     pub(super) fn adopt_coast_file(&mut self) {
@@ -74,7 +83,8 @@ impl App {
 
     /// Places the coast of the parameters `drawn`, with which the next frame is drawn, and solves its waves.
     pub(super) fn follow_coast(&mut self, drawn: &Params, ctx: &egui::Context) {
-        self.coast.task.update(drawn, ctx.input(|i| i.time));
+        let slice = work_slice(ctx);
+        self.coast.task.update(drawn, ctx.input(|i| i.time), slice);
         self.derived.set_transfer(self.coast.task.transfer());
         if self.coast.task.is_busy(drawn) {
             #[cfg(target_arch = "wasm32")]

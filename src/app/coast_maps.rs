@@ -2,6 +2,8 @@
 //! slices of a frame while the panel shows them, and saved as files.
 
 use super::App;
+use super::coast::work_slice;
+use super::derived::DerivedSeaData;
 use super::language::text;
 use crate::coast::Transfer;
 use crate::coast::effect::CoastEffect;
@@ -9,17 +11,16 @@ use crate::coast::fields_file::CoastFields;
 use crate::coast::gauges::{Gauge, Gauges};
 use crate::coast::sea_maps::bearing_from_deg;
 use crate::coast::transfer::{StatisticsSolver, TransferStatistics};
-use crate::ocean::coast_task::CoastKey;
+use crate::ocean::coast_task::{CoastKey, work_for};
 use crate::point::buoy_record::BuoyRecord;
 use crate::state::coast::Coast;
 use std::cell::Cell;
 use std::f64::consts::TAU;
 use std::sync::Arc;
+use web_time::Duration;
 
 /// Largest number of gauges.
 pub const MAX_GAUGES: usize = 4;
-/// Points of waves that a frame adds to the maps: 3 ms on a desktop.
-const POINTS_PER_FRAME: usize = 1 << 16;
 /// Length of the record that a frame adds to a gauge, s: 8 samples of 0.3 ms on a desktop.
 const RECORDED_PER_FRAME_S: f64 = 2.0;
 /// Time before the present at which the record of a gauge begins, s.
@@ -122,9 +123,8 @@ impl CoastMaps {
         (is_inside && grid.at(i as usize, j as usize) > 0.0).then_some([i as usize, j as usize])
     }
 
-    /// Computes a slice of the maps of the sea that `transfer` draws with the waves of `plan`. Returns whether there is
-    /// more to do.
-    fn advance(&mut self, transfer: &Arc<Transfer>, key: &CoastKey, app: &super::derived::DerivedSeaData) -> bool {
+    /// Computes the maps of the sea that `transfer` draws, until `slice` is over. Returns whether there is more to do.
+    fn advance(&mut self, transfer: &Arc<Transfer>, key: &CoastKey, app: &DerivedSeaData, slice: Duration) -> bool {
         let is_same = self.of.as_ref().is_some_and(|(of, sea)| Arc::ptr_eq(of, transfer) && sea.fits(&app.params));
         if !is_same {
             self.of = Some((transfer.clone(), key.clone()));
@@ -134,9 +134,10 @@ impl CoastMaps {
         }
         let Some((mut solver, _)) = self.solver.take() else { return false };
         let mut done = 0.0;
-        for _ in 0..POINTS_PER_FRAME.div_ceil(transfer.points.len().max(1)) {
+        work_for(slice, || {
             done = solver.step();
-        }
+            done >= 1.0
+        });
         if done < 1.0 {
             self.solver = Some((solver, done));
             return true;
@@ -230,7 +231,7 @@ impl App {
             return;
         }
         let (Some(transfer), Some(key)) = (self.coast.shown().1, CoastKey::of(&self.params)) else { return };
-        let mut has_more = self.coast.maps.advance(&transfer, &key, &self.derived);
+        let mut has_more = self.coast.maps.advance(&transfer, &key, &self.derived, work_slice(ctx));
         if !has_more {
             has_more = self.advance_gauges(&transfer);
         }

@@ -26,6 +26,13 @@ const THREAD_SLICE: Duration = Duration::from_millis(20);
 /// What a frame shows of a coast: its land, and its waves once they are solved.
 pub type ShownCoast = (Option<Arc<PlacedCoast>>, Option<Arc<Transfer>>);
 
+/// Calls `step`, which returns whether all is done, until it is or `slice` is over.
+#[cfg_attr(not(target_arch = "wasm32"), expect(clippy::disallowed_methods, reason = "no browser runs this one"))]
+pub fn work_for(slice: Duration, mut step: impl FnMut() -> bool) {
+    let begun = Instant::now();
+    while !step() && begun.elapsed() < slice {}
+}
+
 /// Solves the transfer functions of a coast in slices.
 pub trait StepwiseSolver: Send + Sized + 'static {
     /// Prepares the solution for the waves of `plan` over `coast`.
@@ -38,15 +45,13 @@ pub trait StepwiseSolver: Send + Sized + 'static {
     fn finish(self) -> Transfer;
 
     /// Steps until `slice` is over or the work is done. Returns the fraction that is done.
-    #[cfg_attr(not(target_arch = "wasm32"), expect(clippy::disallowed_methods, reason = "no browser runs this one"))]
     fn advance(&mut self, slice: Duration) -> f32 {
-        let begun = Instant::now();
-        loop {
-            let done = self.step();
-            if done >= 1.0 || begun.elapsed() >= slice {
-                return done;
-            }
-        }
+        let mut done = 0.0;
+        work_for(slice, || {
+            done = self.step();
+            done >= 1.0
+        });
+        done
     }
 }
 
@@ -84,8 +89,8 @@ impl CoastKey {
 /// Who does the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Worker {
-    /// [`CoastTask::update`] itself, for this time in each call.
-    EachCall(Duration),
+    /// [`CoastTask::update`] itself, in each call.
+    EachCall,
     /// A thread for each solution.
     #[cfg(not(target_arch = "wasm32"))]
     Thread,
@@ -119,8 +124,6 @@ enum Job<S> {
         solver: Option<S>,
         /// Fraction that is done.
         done: f32,
-        /// Time for which each call works on it.
-        slice: Duration,
     },
     #[cfg(not(target_arch = "wasm32"))]
     Thread(ThreadJob),
@@ -155,8 +158,8 @@ impl<S: StepwiseSolver> CoastTask<S> {
     }
 
     /// Follows the parameters of this frame, at the time `now_s` (s) of the frame: places the land, begins or goes on with
-    /// the solution, or takes one that is there.
-    pub fn update(&mut self, params: &Params, now_s: f64) {
+    /// the solution, or takes one that is there. Without a thread, it works on the solution until `slice` is over.
+    pub fn update(&mut self, params: &Params, now_s: f64, slice: Duration) {
         self.place(&params.coast);
         let Some(key) = CoastKey::of(params).filter(|_| self.land().is_some()) else {
             (self.settled, self.work, self.shown, self.failure) = (None, None, None, None);
@@ -183,7 +186,7 @@ impl<S: StepwiseSolver> CoastTask<S> {
         if self.work.is_none() && is_settled && self.failure.is_none() {
             self.begin(key, params);
         }
-        self.work_on();
+        self.work_on(slice);
     }
 
     /// The land; `None` in the open sea, and where the coast could not be placed.
@@ -235,7 +238,7 @@ impl<S: StepwiseSolver> CoastTask<S> {
         let Some(land) = self.land().cloned() else { return };
         let plan = Plan::new(params);
         let job = match self.worker {
-            Worker::EachCall(slice) => Job::Here { solver: Some(S::begin(&plan, &land)), done: 0.0, slice },
+            Worker::EachCall => Job::Here { solver: Some(S::begin(&plan, &land)), done: 0.0 },
             #[cfg(not(target_arch = "wasm32"))]
             Worker::Thread => {
                 let shared = Arc::new(SharedProgress::default());
@@ -258,11 +261,11 @@ impl<S: StepwiseSolver> CoastTask<S> {
     }
 
     /// Works on the solution for this call's time, and takes it when it is complete.
-    fn work_on(&mut self) {
+    fn work_on(&mut self, slice: Duration) {
         let Some(work) = &mut self.work else { return };
         let solved = match &mut work.job {
-            Job::Here { solver, done, slice } => {
-                *done = solver.as_mut().map_or(1.0, |solver| solver.advance(*slice));
+            Job::Here { solver, done } => {
+                *done = solver.as_mut().map_or(1.0, |solver| solver.advance(slice));
                 (*done >= 1.0).then(|| solver.take().map(S::finish))
             }
             #[cfg(not(target_arch = "wasm32"))]
