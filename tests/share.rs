@@ -42,7 +42,7 @@ fn saved(harness: &mut Harness<'_, App>, folder: &Path, name: &str) -> Vec<u8> {
     for _ in 0..400 {
         harness.run_steps(1);
         harness.render().expect("a picture");
-        if harness.query_by_label_contains(&format!("saved {}", folder.join(name).display())).is_some() {
+        if harness.query_by_label_contains(&format!("Saved: {}", folder.join(name).display())).is_some() {
             return std::fs::read(folder.join(name)).expect("the file");
         }
         std::thread::park_timeout(std::time::Duration::from_millis(20));

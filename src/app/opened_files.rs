@@ -208,6 +208,9 @@ impl App {
                 // Like a link, a picture without a version is one of the first version.
                 let state = format!("?{state}");
                 self.open_link(&state);
+                if self.notices.is_empty() {
+                    self.show_brief_message(tr("This is the sea of your picture."));
+                }
                 return Ok(());
             }
             if let Some(text) = std::str::from_utf8(bytes).ok().filter(|text| presets::is_preset_file(text)) {

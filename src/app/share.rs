@@ -147,7 +147,7 @@ impl App {
 
     fn show_save_result(&mut self, result: Result<String, String>) {
         match result {
-            Ok(message) => self.show_brief_message(&message),
+            Ok(name) => self.show_brief_message(&say!("Saved: {name}", name = name)),
             Err(reason) => self.notices.push(reason),
         }
     }

@@ -176,7 +176,8 @@ fn show_effects(app: &mut App, ui: &mut egui::Ui) {
         ui.horizontal_wrapped(|ui| {
             ui.strong(tr(effect));
             let Some(preset) = presets::built_in().iter().find(|preset| preset.name == sea) else { return };
-            if ui.small_button(tr(sea)).on_hover_text(tr(&preset.about)).clicked() {
+            let example = say!("Example: {sea}", sea = tr(sea));
+            if ui.small_button(example).on_hover_text(tr(&preset.about)).clicked() {
                 app.open_preset(preset);
             }
         });

@@ -3,7 +3,7 @@
 use super::super::{App, notices};
 use super::system_name;
 use crate::app::language::{say, tr};
-use crate::state::params::MAX_WAVE_SYSTEMS;
+use crate::state::params::{MAX_WAVE_SYSTEMS, SpectrumKind};
 
 /// Colours of warnings and errors.
 const WARNING: egui::Color32 = egui::Color32::from_rgb(240, 200, 110);
@@ -37,6 +37,10 @@ pub fn show_notices(app: &mut App, ui: &mut egui::Ui) {
 /// Says which wave systems have values of their own but are off, and adds a button for each that switches it on. The
 /// notice of the plan names keys of the state string instead, which the command line needs.
 fn show_systems_that_are_off(app: &mut App, ui: &mut egui::Ui) {
+    // A measured spectrum is the whole sea: the swell of the sea before is no part of it.
+    if app.params.sea.first_system().spectrum == SpectrumKind::Measured {
+        return;
+    }
     let defaults = crate::state::params::Sea::default().systems;
     for index in 1..MAX_WAVE_SYSTEMS {
         let system = &mut app.params.sea.systems[index];

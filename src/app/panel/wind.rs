@@ -31,8 +31,16 @@ pub fn show_wind(app: &mut App, ui: &mut egui::Ui) {
     });
     show_force_slider(app, ui);
     let force = &BEAUFORT_FORCES[beaufort::beaufort_number(app.params.sea.first_system().wind_m_s)];
-    ui.label(tr(force.appearance)).on_hover_text(tr("Beaufort scale, WMO"));
-    ui.weak(height_in_words(app, force));
+    let why = fetch_in_words(app, force);
+    // Waves that have not grown as high as the scale says look otherwise.
+    let appearance = match &why {
+        Some(_) => {
+            egui::RichText::new(say!("In a fully grown sea: {appearance}", appearance = tr(force.appearance))).weak()
+        }
+        None => tr(force.appearance).into(),
+    };
+    ui.label(appearance).on_hover_text(tr("Beaufort scale, WMO"));
+    ui.label(height_in_words(app, force, why));
     if app.params.sea.first_system().fetch_km != force.fetch_km {
         let help = tr("Lets the wind blow over so much water that the sea is as high as the Beaufort scale says.");
         if button_with_help(ui, tr("As high as the textbook"), help) {
@@ -43,13 +51,13 @@ pub fn show_wind(app: &mut App, ui: &mut egui::Ui) {
     }
 }
 
-/// How high this sea is, beside what the textbook says of the wind's force; and why, if the fetch makes a great
+/// How high this sea is, beside what the textbook says of the wind's force; and `why`, if the fetch makes a great
 /// difference.
-fn height_in_words(app: &App, force: &BeaufortForce) -> String {
+fn height_in_words(app: &App, force: &BeaufortForce, why: Option<String>) -> String {
     let metres = app.length_scale();
     let hs_m = app.derived.theoretical_statistics.hs_m;
     let (code, word) = beaufort::sea_state(hs_m);
-    let Some(why) = fetch_in_words(app, force) else {
+    let Some(why) = why else {
         return say!(
             "Textbook height {textbook}, this sea {height}; sea state {code}, {word} (Douglas)",
             textbook = metres.format(force.probable_hs_m, 1),

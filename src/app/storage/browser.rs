@@ -5,7 +5,7 @@ use super::{DAMAGED_SEAS_FILE_NAME, OLD_PANEL_PLACE_FILE_NAME, PREFERENCES_FILE_
 use std::path::Path;
 use wasm_bindgen::{JsCast as _, JsValue};
 
-/// Makes the browser download `bytes` as a file called `name`. The folder is ignored. Returns a message for the user.
+/// Makes the browser download `bytes` as a file called `name`. The folder is ignored. Returns the name.
 pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, String> {
     let run = || -> Result<(), JsValue> {
         let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes).into());
@@ -18,7 +18,7 @@ pub fn save(_folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, 
         anchor.click();
         web_sys::Url::revoke_object_url(&url)
     };
-    run().map(|()| format!("downloaded {name}")).map_err(|e| format!("cannot save {name}: {e:?}"))
+    run().map(|()| name.to_owned()).map_err(|e| format!("cannot save {name}: {e:?}"))
 }
 
 /// Loads the stored list of the user's own named seas as text; empty if there is none.

@@ -5,7 +5,7 @@ use std::io::{ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 /// Saves bytes as a file in `folder`, else in the user's pictures folder, else in the current folder. If the name is
-/// taken, the new name gets a number. Returns a message with the path.
+/// taken, the new name gets a number. Returns the path.
 ///
 /// # Errors
 /// One sentence with the reason, if the file cannot be written.
@@ -17,7 +17,7 @@ pub fn save(folder: Option<&Path>, name: &str, bytes: &[u8]) -> Result<String, S
         match std::fs::File::create_new(&path) {
             Ok(mut file) => {
                 file.write_all(bytes).map_err(fault)?;
-                return Ok(format!("saved {}", path.display()));
+                return Ok(path.display().to_string());
             }
             Err(e) if e.kind() == ErrorKind::AlreadyExists => {}
             Err(e) => return Err(fault(e)),
