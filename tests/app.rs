@@ -7,6 +7,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use seastate::app::App;
 use seastate::app::device_loss::{AppHost, ParkedApp};
 use seastate::files::picture;
+use seastate::state::presets;
 use seastate::state::start::START;
 
 fn open(state: &str) -> Harness<'static, App> {
@@ -334,7 +335,8 @@ fn named_seas_change_the_light_and_keep_the_window() {
     harness.get_by_label("Calm open ocean").click();
     harness.run_steps(40);
     let now = params(&harness);
-    assert_eq!(now.look, seastate::state::Params::default().look);
+    let sea = presets::built_in().iter().find(|sea| sea.name == "Calm open ocean").expect("a named sea");
+    assert_eq!(now.look, sea.apply(&seastate::state::Params::default()).0.look);
     assert!(harness.state().state().contains("units=nautical&textsize=1.2"), "{}", harness.state().state());
 }
 

@@ -44,7 +44,7 @@ pub fn show_main_statistics(app: &App, ui: &mut egui::Ui) {
         }
     });
     ui.spacing_mut().interact_size.y = tall;
-    ui.weak(hs_help);
+    ui.weak(tr(summary::MEANINGS));
     for system in &app.derived.systems {
         ui.label(say!(
             "{system}: {height} high, {length} long, every {period} s",

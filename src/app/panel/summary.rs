@@ -6,7 +6,7 @@ use super::super::derived::SystemSize;
 use super::super::units::UnitScale;
 use super::weather::compass_point;
 use super::{Tab, free_part, has_room, is_narrow, numbers};
-use crate::app::language::{local_number, say, tr};
+use crate::app::language::{local_number, say, text, tr};
 use crate::waves::beaufort::{self, BEAUFORT_FORCES};
 
 /// Largest width of the text, points.
@@ -65,6 +65,12 @@ pub fn heights_in_words(app: &App) -> Option<String> {
         )
     })
 }
+
+/// Meanings of the height, the period and the length of waves.
+pub const MEANINGS: &str = text!(
+    "Height: the mean of the highest third of the waves. Period: the time between two crests of the strongest waves. \
+     Length: from one of these crests to the next."
+);
 
 /// Name of a wave system by its number.
 pub fn system_name(number: usize) -> &'static str {
@@ -167,9 +173,7 @@ fn lines(app: &App) -> Vec<SummaryLine> {
     let (headline, about) = headline(app);
     let whence = app.measured_title().map(|title| line(title.to_owned(), 12.5, about.to_owned(), Tab::Study));
     let help = match heights_in_words(app) {
-        None => tr("Height: the mean of the highest third of the waves. Period: the time between two crests of the \
-                    strongest waves.")
-        .to_owned(),
+        None => tr(MEANINGS).to_owned(),
         Some(sum) => format!("{}\n{sum}", tr("Height: the mean of the highest third of the waves.")),
     };
     let waves = line(waves_in_words(app), 14.0, help, Tab::Study);
