@@ -113,7 +113,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Dusk",
         description: "The sun has set for the sea, but not yet for the cirrus high above it.",
         state: "v=2&wind=6&fetch=35&sun=-1.5&sunaz=285&clouds=cirrus&cloudcover=0.5&glints=1&gusts=1&bloom=0.04\
-                &y=3&heading=288&pitch=3&t=40&afloat=yacht*-58*-13",
+                &y=3&heading=294&pitch=3&t=40&afloat=yacht*-58*-13",
     },
     GalleryPicture {
         title: "Close to the ripples",

@@ -29,7 +29,7 @@ struct Action<'a> {
 /// there is room, words stand below their symbols.
 pub fn show_action_buttons(app: &mut App, ui: &mut egui::Ui) {
     let is_narrow = is_narrow(ui.ctx());
-    let has_words = !is_narrow && ui.ctx().content_rect().height() >= SHORT_WINDOW_POINTS;
+    let has_words = ui.ctx().content_rect().height() >= SHORT_WINDOW_POINTS;
     let most = if is_narrow { 80.0 } else { 48.0 };
     let width = ((ui.available_width() - ACTION_GAP_POINTS * (ACTION_COUNT - 1.0)) / ACTION_COUNT).min(most);
     let least = if has_words { HEIGHT_WITH_WORD_POINTS } else { 28.0 };
