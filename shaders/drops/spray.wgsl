@@ -38,9 +38,8 @@ const SPRAY_LIFT = 0.07;
 // Fraction of the light that reaches a puff at the root of the spray, and how much brighter its sunlit side is.
 const SPRAY_ROOT_LIGHT = 0.5;
 const SPRAY_ROUNDNESS = 0.3;
-// Noise layer (src/render/water/material.rs) of the drifts in which puffs lie, how much faster they change upwards
-// than across, and the number of parts of its tile in which their way is counted, a power of two.
-const SPRAY_DRIFT_LAYER = 10u;
+// Drifts in which puffs lie are noise of the layer of the foam's billows: how much faster they change upwards than
+// across, and the number of parts of its tile in which their way is counted, a power of two.
 const SPRAY_DRIFT_SLOPE = 2.0;
 const SPRAY_DRIFT_PARTS = 256.0;
 // Contrast, in stops, of drifts (x), and of the noise of mist (y) and of coarse drops (z).
@@ -158,7 +157,7 @@ fn spray_radiance(dir: vec3f, place: vec2f, open: f32) -> vec3f {
 // does not change along lines which sink downwind, and that the wind carries along. Their way in a period is rounded to
 // a whole number of parts of the tile, so that whole numbers count it however late it is.
 fn spray_drift(point: vec3f) -> vec2f {
-  let layer = material.noise_layers[SPRAY_DRIFT_LAYER];
+  let layer = material.noise_layers[FOAM_BILLOW_LAYER];
   let way = layer.uv_from_position * spray.downwind;
   let parts = vec2i(round((SPRAY_DRIFT_PARTS * spray.wind_m_s * spray.puff_s) * way));
   let whole = (parts * bitcast<i32>(spray.moment)) & vec2i(i32(SPRAY_DRIFT_PARTS) - 1);
@@ -209,7 +208,7 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let scale = select(SPRAY_NOISE_TILES.x, SPRAY_NOISE_TILES.y, puff.is_coarse);
   out.noise = vec4f(random.wx, scale * long_m / puff.radius_m, scale);
   let lod = max(log2(512.0 * scale * pixel_m / puff.radius_m), 0.0);
-  let drift_lod = max(log2(pixel_m) + material.noise_layers[SPRAY_DRIFT_LAYER].log_texels_per_m, 0.0);
+  let drift_lod = max(log2(pixel_m) + material.noise_layers[FOAM_BILLOW_LAYER].log_texels_per_m, 0.0);
   let contrast = select(SPRAY_CONTRAST.y, SPRAY_CONTRAST.z, puff.is_coarse);
   // Means of the exponentials of even noise fall to 1 as pixels grow and the mip levels of the noise become even.
   let own = mix(spray_mean(contrast), 1.0, saturate(0.22 * lod));

@@ -20,6 +20,11 @@ struct LandGround {
   film: f32,
 }
 
+// The grounds `a` and `b`, with the share of `b`.
+fn land_mix(a: LandGround, b: LandGround, share: f32) -> LandGround {
+  return LandGround(mix(a.albedo, b.albedo, share), mix(a.relief, b.relief, share), mix(a.film, b.film, share));
+}
+
 // Share of a film of water in the look of sand that the last waves have left.
 const LAND_SHEEN = 0.3;
 
@@ -226,8 +231,7 @@ fn land_ground(
   var out = land_sand(place, height, run_up, middle, fine, wide, size);
   if rock * (1.0 - built) > 0.0 {
     let stone = land_rock(place, height, run_up, cut, around, size, middle, wide);
-    out = LandGround(
-      mix(out.albedo, stone.albedo, rock), mix(out.relief, stone.relief, rock), mix(out.film, stone.film, rock));
+    out = land_mix(out, stone, rock);
   }
   if height > LAND_GRASS_M - 2.0 && upright < 1.0 {
     out = land_plants(out, 1.0 - upright, place, height, size, middle, fine, wide);
@@ -237,8 +241,7 @@ fn land_ground(
     if map.w < 0.0 {
       made = land_rubble(place, height, run_up, size, middle, fine);
     }
-    out = LandGround(
-      mix(out.albedo, made.albedo, built), mix(out.relief, made.relief, built), mix(out.film, made.film, built));
+    out = land_mix(out, made, built);
   }
   out.relief += (ledge - 1.0) * slope;
   return out;

@@ -64,11 +64,11 @@ fn land_film_mirror(place: vec2f, height: f32, v: vec3f, slope: vec2f, sun: vec3
   let reflectance = water_fresnel(facing * inverseSqrt(square));
   let twice = 2.0 * facing;
   let over = MIRRORED_SCALE / max(square * (1.0 - v.y) + twice, 1e-4);
-  let uv = 0.5 - over * (twice * slope + square * v.xz);
+  let across = twice * slope + square * v.xz;
+  let uv = 0.5 - over * across;
   let layer = mirrored_sky_layer(2.0 * LAND_FILM_ROUGHNESS);
   var radiance = reflectance * textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), layer), 0.0).rgb;
   // Land that rises before the film hides the sky.
-  let across = twice * slope + square * v.xz;
   let over_level = inverseSqrt(max(dot(across, across), 1e-8));
   let toward = -over_level * land_from_world(across);
   let near = land_at(place + LAND_FILM_REACH_M.x * toward, land_lod(0.3 * LAND_FILM_REACH_M.x));

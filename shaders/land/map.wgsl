@@ -97,7 +97,7 @@ fn land_ledge(place: vec2f, map: vec4f, bend: f32) -> vec2f {
   let part = fract(bed);
   let width = LAND_LEDGE_STEEP.y - LAND_LEDGE_STEEP.x;
   let t = saturate((part - LAND_LEDGE_STEEP.x) / width);
-  let raised = t * t * (3.0 - 2.0 * t) - part;
+  let raised = maths_smooth(t) - part;
   let steeper = (6.0 * t * (1.0 - t) / width - 1.0) * (1.0 + 0.62 * cos(turn));
   return share * vec2f(LAND_LEDGE_M * raised, steeper) + vec2f(0.0, 1.0);
 }

@@ -1,4 +1,4 @@
-// What the waves leave on sand: lines of driftweed, marks of single waves, and foam on the film of water.
+// Traces of waves on sand: lines of driftweed, arcs where single waves turned back, and foam on the film of water.
 
 // Colour of dry driftweed, and heights above the run-up, m, at which the swash of two tides has left it.
 const LAND_WRACK = vec3f(0.105, 0.080, 0.050);

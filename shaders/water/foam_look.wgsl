@@ -7,12 +7,11 @@
 // The pattern, the opacity and the relief follow the age of the foam: the front of a breaker is a heap of billows, new
 // foam behind it a thick sheet with holes, and old foam thin threads and streaks along the wind.
 
-// Billows of metres, which take the place of patches in the front of a breaker.
-const FOAM_BILLOW_LAYER = 10u;
 // Weights of the layers in the pattern of a breaker's front: windrows, billows, strands and threads. Their squares add up
 // to 1.
 const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.68, 0.6, 0.41);
-// What the weights gain where a front covers half of the water: at its edge, lace takes the place of billows.
+// Change of these weights at the edge of a front, where it covers half of the water: fewer billows, more strands and
+// threads, so that the edge is lace.
 const FOAM_FRONT_EDGE_WEIGHTS = vec4f(0.0, -0.24, 0.08, 0.2);
 // Factors on the weights of the layers (material.rs), which grow with the wind, in the oldest foam and in new foam.
 const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
@@ -170,6 +169,13 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
   return vec2f(rise * inverseSqrt(1.0 + rise * rise), lit);
 }
 
+// What is taken from the grain of foam so that the mean of its light, which grows exponentially with the grain, stays.
+// `kept` are the resolved fractions of the variance of billows (x) and lumps (y), `turn` is the share of billows.
+fn foam_grain_skew(kept: vec2f, turn: f32) -> f32 {
+  let billows = FOAM_BILLOW_GRAIN * turn;
+  return FOAM_GRAIN_SKEW * (kept.y + billows * billows * kept.x);
+}
+
 // Appearance of foam in a pixel.
 fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> FoamAppearance {
   let has_detail = pixel.length_m > FOAM_FINEST_DETAIL_M;
@@ -218,9 +224,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   out.film *= (1.0 - amount.fresh) / max(out.cover, 1e-4);
   // Billows are higher where foam covers; the grain is relative to their mean there.
   out.grain = 0.5 + 1.3 * (out.grain - FOAM_BILLOW_GRAIN * pattern.usual) + 0.7 * place.heights.z;
-  // Light grows exponentially with the grain, and this keeps its mean.
-  let billowing = FOAM_BILLOW_GRAIN * pattern.turn.y;
-  out.grain -= FOAM_GRAIN_SKEW * (kept.z + billowing * billowing * kept.y);
+  out.grain -= foam_grain_skew(kept.yz, pattern.turn.y);
   let aged = mix(FOAM_AGED_RELIEF.x, FOAM_AGED_RELIEF.y, amount.young);
   let strength = material.foam_relief * mix(aged, 1.0, amount.fresh);
   let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;

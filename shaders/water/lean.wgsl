@@ -150,7 +150,7 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
     LEAN_OLD_FOAM_OPACITY.x + LEAN_OLD_FOAM_OPACITY.y * amount.young, FOAM_FRONT_OPACITY.x + FOAM_FRONT_OPACITY.y,
     amount.fresh);
   out.film = LEAN_FILM * (1.0 - amount.fresh);
-  out.grain = 0.5 + LEAN_GRAIN * lumps - FOAM_GRAIN_SKEW * (kept.z + select(0.0, 1.44 * kept.y, is_front));
+  out.grain = 0.5 + LEAN_GRAIN * lumps - foam_grain_skew(kept.yz, select(0.0, 1.0, is_front));
   out.relief = relief;
   out.lit = 1.0;
   return out;

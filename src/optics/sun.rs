@@ -42,20 +42,23 @@ const DIRECTION_TOLERANCE_RAD: f64 = 0.01;
 /// When the sun rises and sets on the day `day` of the year at a latitude: hours of true solar time, to about two minutes
 /// in moderate latitudes. `None` for what does not happen, as in polar day and polar night.
 pub fn rise_and_set_h(day: f64, latitude_deg: f64) -> [Option<f64>; 2] {
-    let is_up = |hour: f64| elevation_azimuth_deg(day, hour, latitude_deg)[0] > RISE_ELEVATION_DEG;
-    let change = |mut from: f64, mut to: f64| {
-        let before = is_up(from);
-        if before == is_up(to) {
-            return None;
-        }
-        for _ in 0..RISE_BISECTIONS {
-            let middle = 0.5 * (from + to);
-            if is_up(middle) == before { from = middle } else { to = middle }
-        }
-        Some(0.5 * (from + to))
-    };
     // The sun is highest at noon: before, it can only rise, after, it can only set.
-    [change(0.0, 12.0), change(12.0, 24.0)]
+    [[0.0, 12.0], [12.0, 24.0]].map(|hours| passing_h(day, latitude_deg, RISE_ELEVATION_DEG, hours))
+}
+
+/// The hour of true solar time, between `from` and `to` of a morning or an afternoon, at which the sun passes an
+/// elevation, degrees, on the day `day` of the year at a latitude; `None` if it does not.
+pub fn passing_h(day: f64, latitude_deg: f64, elevation_deg: f64, [mut from, mut to]: [f64; 2]) -> Option<f64> {
+    let is_above = |hour: f64| elevation_azimuth_deg(day, hour, latitude_deg)[0] > elevation_deg;
+    let before = is_above(from);
+    if before == is_above(to) {
+        return None;
+    }
+    for _ in 0..RISE_BISECTIONS {
+        let middle = 0.5 * (from + to);
+        if is_above(middle) == before { from = middle } else { to = middle }
+    }
+    Some(0.5 * (from + to))
 }
 
 /// Latitude, degrees, and hour of true solar time at which the sun has this elevation and azimuth, degrees, on the day

@@ -84,14 +84,13 @@ impl SkyLook {
             return;
         }
         self.set_daylight(0.0, t_s);
-        // The sun sinks from noon to midnight, so halving finds the hour.
-        let (mut high_h, mut low_h) = (12.0, 24.0);
-        for _ in 0..20 {
-            let middle_h = 0.5 * (high_h + low_h);
-            let is_high = sun::elevation_azimuth_deg(self.day, middle_h, self.latitude_deg)[0] > elevation_deg;
-            if is_high { high_h = middle_h } else { low_h = middle_h }
-        }
-        self.hour = (1e3 * high_h).round() / 1e3;
+        let afternoon_h = [12.0, 24.0];
+        let passing = sun::passing_h(self.day, self.latitude_deg, elevation_deg, afternoon_h);
+        let hour = passing.unwrap_or_else(|| {
+            let noon_deg = sun::elevation_azimuth_deg(self.day, 12.0, self.latitude_deg)[0];
+            afternoon_h[usize::from(noon_deg > elevation_deg)]
+        });
+        self.hour = (1e3 * hour).round() / 1e3;
     }
 
     /// Places the sun by direction, where it is at the simulated time `t_s`.
