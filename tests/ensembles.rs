@@ -1,4 +1,4 @@
-//! Simulated seas against theory over 32 seeds: a subset that covers every spectrum, every spreading and every
+//! Simulated seas against theory over 64 seeds: a subset that covers every spectrum, every spreading and every
 //! dispersion relation, from calm to hurricane and from deep water to 3 m.
 
 mod common;
@@ -8,7 +8,7 @@ use seastate::lab::estimate::EstimateWithError;
 use seastate::lab::stats;
 use seastate::lab::validate::choice_parameter_values;
 
-const SEEDS: u32 = 32;
+const SEEDS: u32 = 64;
 
 /// Spectrum, spreading, wind (m/s), fetch (km), depth (m), and what else there is.
 type State = (&'static str, &'static str, f64, f64, f64, &'static str);
@@ -64,7 +64,7 @@ fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
     let (r, m) = (&report.resolved, &report.measured);
     eprintln!("{state}\n{report}");
     let within = |what: &str, measured: &EstimateWithError, resolved: f64| {
-        let error = measured.standard_error.expect("32 seeds have a standard error");
+        let error = measured.standard_error.expect("64 seeds have a standard error");
         let off = (measured.value - resolved).abs();
         // With few waves the standard error may be smaller than the rounding error of f32.
         assert!(off < 5.0 * error + 1e-6 * resolved.abs(), "{what}: off by {off}, error {error}\n{state}\n{report}");
@@ -78,7 +78,7 @@ fn assert_sea((spectrum, spread, wind, fetch, depth, more): State) {
     within("mean", &m.mean_elevation_m, 0.0);
     match (r.mean_from_deg, &m.mean_from_deg) {
         (Some(from), Some(measured)) => {
-            let error = measured.standard_error.expect("32 seeds have a standard error");
+            let error = measured.standard_error.expect("64 seeds have a standard error");
             let off = ((measured.value - from + 540.0).rem_euclid(360.0) - 180.0).abs();
             assert!(off < 5.0 * error && off < 2.0, "from {from}, measured {measured:?}\n{state}\n{report}");
             within("r1", &m.r1, r.first_directional_moment);
