@@ -15,7 +15,7 @@ const SPRAY_SIDE = 96u;
 // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
 const SPRAY_COARSE_SHARE = 0.25;
 // Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(0.95, 0.5);
+const SPRAY_OPTICAL_DEPTH = vec2f(0.95, 0.4);
 // Exposure time over which a puff moves in the picture, s.
 const SPRAY_EXPOSURE_S = 0.02;
 // Range of the front of a breaker over which it throws up spray.
@@ -34,7 +34,7 @@ const SPRAY_FORWARD_SKY = 0.7;
 const SPRAY_SKY_LOD = 3.0;
 const SPRAY_LOWEST_SKY = 0.05;
 // Highest speed at which eddies lift mist, relative to that of the wind.
-const SPRAY_LIFT = 0.07;
+const SPRAY_LIFT = 0.05;
 // Fraction of the light that reaches a puff at the root of the spray, and how much brighter its sunlit side is.
 const SPRAY_ROOT_LIGHT = 0.5;
 const SPRAY_ROUNDNESS = 0.3;
@@ -43,11 +43,11 @@ const SPRAY_ROUNDNESS = 0.3;
 const SPRAY_DRIFT_SLOPE = 2.0;
 const SPRAY_DRIFT_PARTS = 256.0;
 // Contrast, in stops, of drifts (x), and of the noise of mist (y) and of coarse drops (z).
-const SPRAY_CONTRAST = vec3f(4.0, 3.0, 3.5);
+const SPRAY_CONTRAST = vec3f(4.0, 5.0, 5.0);
 // By how much low noise shortens the radius of a puff, relative to its square.
 const SPRAY_TORN_EDGE = 1.6;
 // Tiles of noise in the radius of a puff: of mist (x) and of coarse drops (y).
-const SPRAY_NOISE_TILES = vec2f(0.25, 0.45);
+const SPRAY_NOISE_TILES = vec2f(0.5, 0.6);
 
 struct SprayFragment {
   @builtin(position) clip: vec4f,
@@ -116,7 +116,7 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   let relaxation_s = select(0.12 + 0.25 * more.y, 0.45, is_coarse);
   let fall = select(0.3 + 0.5 * more.y, 3.0 + 2.0 * more.y, is_coarse);
   let across = vec2f(-spray.downwind.y, spray.downwind.x);
-  let jet = sqrt(frame.hs_m) * select(0.3 + 0.5 * more.z, 0.4 + 0.6 * more.z, is_coarse);
+  let jet = sqrt(frame.hs_m) * select(0.2 + 0.5 * more.z, 0.4 + 0.8 * more.z, is_coarse);
   let sideways = (random.z - 0.5) * across;
   let start = (spray.breaker_speed_m_s * (0.8 + 0.5 * random.w)) * spray.downwind + 2.0 * sideways;
   let gust = spray.wind_m_s * (0.75 + 0.35 * more.w);
@@ -130,10 +130,10 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   out.velocity = rest + change * left;
   out.is_coarse = is_coarse;
   // Turbulence widens a puff, which thins.
-  let young_m = cell_m * select(0.6 + 0.7 * random.z, 0.35 + 0.45 * random.z, is_coarse);
+  let young_m = cell_m * select(0.35 + 0.4 * random.z, 0.25 + 0.35 * random.z, is_coarse);
   let growth = select(0.6 + 1.9 * sqrt(age), 0.7 + 1.0 * age, is_coarse);
   out.radius_m = young_m * growth;
-  out.stretch = select(1.5 + 2.3 * age, 1.2, is_coarse);
+  out.stretch = select(2.2 + 4.0 * age, 1.3, is_coarse);
   out.open = mix(SPRAY_ROOT_LIGHT, 1.0, maths_smooth(3.0 * age));
   let life = maths_smooth(age * 8.0) * pow(1.0 - age, select(2.5, 2.0, is_coarse));
   let depths = select(SPRAY_OPTICAL_DEPTH.x, SPRAY_OPTICAL_DEPTH.y, is_coarse);
