@@ -185,7 +185,8 @@ pub enum Command {
         output: PathBuf,
     },
     /// Solves what the sea becomes over a coast: prints heights, directions and breaking from the open sea to the beach, and
-    /// writes maps, fields and gauges. Needs no GPU. The page, the window and 'render' do not show coasts yet
+    /// writes maps, fields and gauges. Needs no GPU. The window, the page and 'render' draw the sea at a coast if the
+    /// state names one: coast=NAME
     #[command(after_help = "Built-in coasts:\n  \
         beach     a long sandy beach before dunes\n  \
         headland  a rocky headland beside a bay\n  \
