@@ -55,7 +55,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         description: "Beaufort 9 over 500 km of water: a breaker topples in front of the camera, spray blows \
                       off its crest.",
         state: "v=2&wind=22&fetch=500&dir=250&sun=15&sunaz=165&haze=0.6&clouds=stratocumulus&cloudcover=0.5&glints=1\
-                &gusts=1&spray=1&bloom=0.04&y=4&heading=241&pitch=0&fov=30&t=51.2",
+                &gusts=1&spray=1&exposure=-0.5&bloom=0.04&y=4&heading=241&pitch=0&fov=30&t=51.2",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
@@ -67,9 +67,9 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Spindrift",
-        description: "Beaufort 10 against a low sun: the wind tears spray off the crests.",
-        state: "v=2&wind=26&fetch=500&dir=250&sun=8&sunaz=232&haze=0.6&clouds=cumulus&glints=1\
-                &gusts=1&spray=1&bloom=0.04&y=3.5&heading=230&pitch=0&fov=30&t=20",
+        description: "Beaufort 10 against the sun: the wind tears spray off the crests.",
+        state: "v=2&wind=26&fetch=500&dir=250&sun=13&sunaz=218&haze=0.3&clouds=stratocumulus&cloudcover=0.45&glints=1\
+                &gusts=1&spray=1&exposure=-0.3&bloom=0.04&y=3&heading=238&pitch=0&fov=30&t=20",
     },
     GalleryPicture {
         title: "Long swell",
@@ -79,9 +79,11 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Golden hour",
-        description: "A low sun beside a yacht: waves shade each other, and the crests between carry the light.",
-        state: "v=2&wind=10&sun=5&sunaz=200&clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=3&heading=204&pitch=1&fov=42\
-                &t=40&afloat=yacht*-17*93",
+        description: "A low sun below broken clouds, and a yacht in a moderate breeze on an old swell: waves shade each \
+                      other, and the crests between carry the light.",
+        state: "v=2&wind=5.5&fetch=40&dir=225&scale2=1&dir2=205&hs2=1.6&tp2=9&swell2=0.7&sun=3&sunaz=200\
+                &clouds=stratocumulus&cloudcover=0.65&glints=1&gusts=1&bloom=0.04&y=2.5&heading=206&pitch=3&fov=42&t=40\
+                &afloat=yacht*-17*93",
     },
     GalleryPicture {
         title: "Under water",
@@ -99,8 +101,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Rain",
         description: "Rain from a broken deck: streaks, rings and splashes of drops, and a low sun behind the veil.",
-        state: "v=2&wind=5&fetch=20&sun=12&sunaz=25&clouds=storm&rain=14&glints=1&gusts=1&exposure=0.5&bloom=0.04&y=1.8\
-                &heading=10&pitch=-3&fov=52&t=40&afloat=yacht*30*-80",
+        state: "v=2&wind=5&fetch=20&sun=8&sunaz=25&overcast=0.4&clouds=stratocumulus&cloudcover=0.9&squalls=0.5&rain=14\
+                &glints=1&gusts=1&exposure=0.3&bloom=0.04&y=1.8&heading=10&pitch=-3&fov=52&t=40&afloat=yacht*30*-80",
     },
     GalleryPicture {
         title: "Shallow tropical water",
@@ -112,8 +114,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Dusk",
         description: "The sun has set for the sea, but not yet for the cirrus high above it.",
-        state: "v=2&wind=6&fetch=35&sun=-1.5&sunaz=285&clouds=cirrus&cloudcover=0.5&glints=1&gusts=1&bloom=0.04\
-                &y=3&heading=294&pitch=3&t=40&afloat=yacht*-58*-13",
+        state: "v=2&wind=4&fetch=20&scale2=1&dir2=300&hs2=1.2&tp2=9&swell2=0.7&sun=-1.5&sunaz=285&clouds=cirrus\
+                &cloudcover=0.5&glints=1&gusts=1&bloom=0.04&y=3&heading=294&pitch=3&t=40&afloat=yacht*-58*-13",
     },
     GalleryPicture {
         title: "Close to the ripples",
