@@ -117,15 +117,22 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
     // The depth is taken to change evenly on the way from the last point. So a ray meets the same amount of cloud
     // wherever its points happen to lie: else thin edges would look like fur.
     let deeper = max(inside, last_inside);
+    let lower = min(inside, last_inside);
+    let in_cloud = way * (deeper / max(deeper - min(lower, 0.0), 1e-6));
+    if inside > 0.0 && last_inside <= 0.0 && in_cloud > 1.2 * finest {
+      // A long step has led deep into a cloud: back to its surface.
+      t -= in_cloud;
+      way -= in_cloud;
+      continue;
+    }
     if deeper > 0.0 && way > 0.0 {
-      let lower = min(inside, last_inside);
-      let part = deeper / max(deeper - min(lower, 0.0), 1e-6);
-      let density = cloud_edge(0.5 * (deeper + max(lower, 0.0)) * cloud_field.sharpness);
+      let middle = 0.5 * (deeper + max(lower, 0.0));
+      let density = cloud_edge(middle * cloud_field.sharpness);
       if density > 0.002 {
         if inside > 0.0 {
-          lit = dome_lit(p, place, inside, detail, sun, phase);
+          lit = dome_lit(p - (0.5 * in_cloud) * ray, place, middle, detail, sun, phase);
         }
-        let passed = exp(-density * cloud_field.extinction_per_km * way * part);
+        let passed = exp(-density * cloud_field.extinction_per_km * in_cloud);
         let share = out.transmittance * (1.0 - passed);
         out.sun += share * lit.x;
         out.sky += share * lit.y;
