@@ -52,10 +52,10 @@ fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, detail: f32) -> f32 {
   var depth = 0.0;
   var step_km = first_km;
   var at = p;
-  for (var i = 0; i < 7; i++) {
+  for (var i = 0; i < 6; i++) {
     depth += step_km * cloud_density(at + (0.5 * step_km) * sun, select(0.0, detail, i < 3), 1.4 * step_km);
     at += step_km * sun;
-    step_km *= 1.6;
+    step_km *= 1.8;
   }
   return depth * cloud_field.extinction_per_km;
 }
@@ -143,7 +143,7 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
       }
     }
     last_inside = inside;
-    way = finest * (1.0 + 2.5 * (1.0 - out.transmittance));
+    way = finest * (1.0 + 1.4 * (1.0 - out.transmittance));
     if inside <= 0.0 {
       // Nothing lies much nearer than the depth.
       way = clamp(-inside * cloud_field.stride, 0.7 * finest, 12.0 * finest + 0.02 * t);

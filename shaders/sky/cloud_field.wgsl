@@ -28,7 +28,7 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   // The edge of a heap bulges, but is not cut through: that would leave crumbs around it.
   let whole = mix(CLOUD_THIN_CUT, 1.0, saturate(2.0 * (place.y + rise_km) / amplitude));
   let bump = max(shape - 0.5, 0.0) + whole * min(shape - 0.5, 0.0);
-  var inside = depth + amplitude * saturate(0.85 + 3.2 * depth / amplitude) * bump;
+  var inside = depth + amplitude * saturate(0.85 + 5.0 * depth / amplitude) * bump;
   var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
   if detail > 0.0 && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
     let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.details_per_km, 0.0).g;

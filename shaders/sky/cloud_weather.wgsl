@@ -8,6 +8,10 @@
 // Number of streets of heaps in a tile.
 const WEATHER_STREETS = 9.0;
 
+// Place of the field of heaps, tiles, over the sea's origin, where most views begin: the sun shines there between clouds
+// of many sizes.
+const WEATHER_HEAPS_START = vec2f(0.648, 0.367);
+
 // Broken deck: value of its pattern at which the height is half of the highest, and the step, tiles, for differences.
 const WEATHER_DECK_EDGE = 0.35;
 const WEATHER_DECK_STEP = 0.002;
@@ -39,16 +43,17 @@ fn weather_fractal(at: vec2f, period: i32, key: u32) -> f32 {
 
 // Factor on the area of the heaps of cloud around a place, of mean 1: they gather in groups of 8 and of 3 km, and in
 // streets along the wind, which rise where rolls of air meet, 3.5 km apart in a field of cumulus; between lie lanes
-// of clear sky.
-fn weather_group(at: vec2f) -> f32 {
+// of clear sky. `gather` is the strength of that, 0 to 1.
+fn weather_group(at: vec2f, gather: f32) -> f32 {
   let street = cos(2.0 * ATM_PI * (WEATHER_STREETS * at.y + 0.9 * weather_smooth(at, 3, 71u)));
-  return exp(4.0 * (weather_smooth(at, 4, 75u) + weather_smooth(at, 11, 79u)) + street - 0.9);
+  let crowd = 4.0 * (weather_smooth(at, 4, 75u) + weather_smooth(at, 11, 79u)) + street;
+  return exp(gather * crowd - 0.92 * gather * gather);
 }
 
 // Heaps of cloud: the highest of paraboloids at random points, one in each of `cells` x `cells` cells of the tile.
 // `area` is the sum of their areas divided by that of the tile, `steepness` the height of a heap divided by its radius,
 // both as fractions of tile and layer.
-fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> vec2f {
+fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, gather: f32, key: u32) -> vec2f {
   let p = at * f32(cells);
   let cell = vec2i(floor(p));
   var high = vec2f(-1.0, 0.0);
@@ -58,8 +63,8 @@ fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> 
     let middle = vec2f(cell + off) + random.xy;
     // Areas follow a power law of mean 1: many small heaps, few large ones.
     let share = inverseSqrt(max(random.z, 0.03)) / 1.83;
-    let radius = min(sqrt(area * weather_group(middle / f32(cells)) * share / ATM_PI), 0.95);
-    let size = min(steepness * radius * (0.5 + 0.9 * random.w * random.w), 1.0);
+    let radius = min(sqrt(area * weather_group(middle / f32(cells), gather) * share / ATM_PI), 0.95);
+    let size = min(steepness * radius * (0.6 + 0.8 * random.w * random.w), 1.0);
     let d = middle - p;
     let square = radius * radius + 1e-4;
     // The smallest heaps have dissolved.
@@ -113,10 +118,10 @@ fn weather_normal_quantile(share: f32) -> f32 {
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-  let size = vec2f(textureDimensions(weather_out));
-  let bare = (vec2f(id.xy) + 0.5) / size;
-  // Bent coordinates leave no round outlines.
   let is_heaps = cloud_field.kind == CLOUD_CUMULUS || cloud_field.kind == CLOUD_TOWERING;
+  let size = vec2f(textureDimensions(weather_out));
+  let bare = (vec2f(id.xy) + 0.5) / size + select(vec2f(0.0), WEATHER_HEAPS_START, is_heaps);
+  // Bent coordinates leave no round outlines.
   let bend = vec2f(weather_fractal(bare, 14, 31u), weather_fractal(bare, 14, 47u));
   let at = bare + select(0.012, 0.02, is_heaps) * bend;
   let cover = cloud_field.cover;
@@ -124,9 +129,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let area = 1.2 * (pow(max(1.0 - cover, 0.02), -0.72) - 1.0);
   var high = vec2f(-1.0, 0.0);
   if is_heaps {
-    let wide = weather_heaps(at, 17, 0.4 * area, 0.85 * cloud_field.steepness / 17.0, 1u);
-    let middle = weather_heaps(at, 31, 0.35 * area, cloud_field.steepness / 31.0, 11u);
-    let narrow = weather_heaps(at, 56, 0.25 * area, 1.1 * cloud_field.steepness / 56.0, 21u);
+    let steep = cloud_field.steepness;
+    let wide = weather_heaps(at, 17, 0.35 * area, 0.85 * steep / 17.0, 1.0, 1u);
+    let middle = weather_heaps(at, 31, 0.3 * area, steep / 31.0, 1.0, 11u);
+    let narrow = weather_heaps(at, 61, 0.35 * area, 1.1 * steep / 61.0, 0.5, 21u);
     high = weather_piled(weather_piled(wide, middle), narrow);
   } else if cloud_field.kind == CLOUD_STRATOCUMULUS {
     // Differences between neighbours give the steepness.
