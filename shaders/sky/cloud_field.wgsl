@@ -40,7 +40,7 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   // The base is nearly flat. Tops of high heaps are crisp, low heaps and rims are thin.
   let deep = min(inside, (rise_km - bump_km) * (cloud_field.base_sharpness / cloud_field.sharpness));
   let heap = (place.y + rise_km) * cloud_field.layers_per_km;
-  return select(deep, deep * mix(0.35, 1.8, smoothstep(0.05, 0.35, heap)), deep > 0.0);
+  return select(deep, deep * mix(0.35, 1.8, smoothstep(0.03, 0.25, heap)), deep > 0.0);
 }
 
 // Density of a cloud, 0 to 1, at a depth that is counted in depths in which the cloud becomes dense. It rises slowly at
