@@ -143,7 +143,8 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
       }
     }
     last_inside = inside;
-    way = finest * (1.0 + 1.4 * (1.0 - out.transmittance));
+    let hidden = 1.0 - out.transmittance;
+    way = finest * (1.0 + 4.0 * hidden * hidden);
     if inside <= 0.0 {
       // Nothing lies much nearer than the depth.
       way = clamp(-inside * cloud_field.stride, 0.7 * finest, 12.0 * finest + 0.02 * t);

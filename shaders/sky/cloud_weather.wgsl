@@ -56,23 +56,28 @@ fn weather_group(at: vec2f, gather: f32) -> f32 {
 fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, gather: f32, key: u32) -> vec2f {
   let p = at * f32(cells);
   let cell = vec2i(floor(p));
+  // Cumulus has steep sides down to the base and round tops. Towers are steep already.
+  let sides = select(0.3, 1.0, cloud_field.kind == CLOUD_CUMULUS);
   var high = vec2f(-1.0, 0.0);
   for (var i = 0; i < 25; i++) {
     let off = vec2i(i % 5, i / 5) - 2;
     let random = weather_random(cell + off, cells, key);
     let middle = vec2f(cell + off) + random.xy;
+    let d = middle - p;
+    // Heaps whose edge is more than a cell away do not matter here.
+    if dot(d, d) > 4.0 {
+      continue;
+    }
     // Areas follow a power law of mean 1: many small heaps, few large ones.
     let share = inverseSqrt(max(random.z, 0.03)) / 1.83;
     let radius = min(sqrt(area * weather_group(middle / f32(cells), gather) * share / ATM_PI), 0.95);
     let size = min(steepness * radius * (0.6 + 0.8 * random.w * random.w), 1.0);
-    let d = middle - p;
     let square = radius * radius + 1e-4;
     // The smallest heaps have dissolved.
-    // Sides are steep down to the base, tops are round.
     let x = dot(d, d) / square;
-    let here = size * (1.0 - x * min(x, 1.0)) - 0.09;
+    let here = size * (1.0 - x * mix(1.0, min(x, 1.0), sides)) - 0.09;
     if here > high.x {
-      let steep = select(2.0, 4.0 * x, x < 1.0) * size * min(length(d), radius) / square;
+      let steep = select(2.0, 2.0 * mix(1.0, 2.0 * x, sides), x < 1.0) * size * min(length(d), radius) / square;
       high = vec2f(here, steep * f32(cells));
     }
   }
