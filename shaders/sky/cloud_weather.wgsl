@@ -8,8 +8,8 @@
 // Number of streets of heaps in a tile.
 const WEATHER_STREETS = 9.0;
 
-// Place of the field of heaps, tiles, over the sea's origin, where most views begin: the sun shines there between clouds
-// of many sizes.
+// Place of the field of heaps, tiles, over the sea's origin, where most views begin: the sun shines there between
+// clouds of many sizes.
 const WEATHER_HEAPS_START = vec2f(0.648, 0.367);
 
 // Broken deck: value of its pattern at which the height is half of the highest, and the step, tiles, for differences.
