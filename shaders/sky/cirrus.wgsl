@@ -27,10 +27,10 @@ const CIRRUS_SKEW = 0.382;
 const CIRRUS_TURN = vec2f(-0.13, 0.1);
 // Winds turn over tens of km, and eddies of 10 km bend and spread what they carry. Six waves shift the fibres across the
 // wind: columns are their numbers along and across a tile, then their phases (turns) and their heights (tiles).
-const CIRRUS_WAVES_ALONG = array(vec3f(1.0, 1.0, 2.0), vec3f(3.0, 5.0, 7.0));
-const CIRRUS_WAVES_ACROSS = array(vec3f(1.0, -2.0, 1.0), vec3f(5.0, -4.0, 6.0));
+const CIRRUS_WAVES_ALONG = array(vec3f(1.0, 1.0, 2.0), vec3f(2.0, 4.0, 5.0));
+const CIRRUS_WAVES_ACROSS = array(vec3f(1.0, -2.0, 1.0), vec3f(5.0, -3.0, 7.0));
 const CIRRUS_WAVE_PHASES = array(vec3f(0.0, 0.3, 0.6), vec3f(0.1, 0.8, 0.45));
-const CIRRUS_WAVE_HEIGHTS = array(vec3f(0.028, 0.02, 0.013), vec3f(0.010, 0.007, 0.005));
+const CIRRUS_WAVE_HEIGHTS = array(vec3f(0.028, 0.02, 0.013), vec3f(0.008, 0.005, 0.003));
 // Streaks: number of samples between the end of a streak and its head, distance between them, tiles; share of ice that
 // is left from one to the next; sideways bend of a streak, tiles per tile squared; sides of the noise along and across
 // a tile for the heads, and the values of the noise between which they become dense.
