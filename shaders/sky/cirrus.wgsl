@@ -19,7 +19,12 @@ const CIRRUS_PER_RISE = 1.1;
 const CIRRUS_OCTAVES = 4;
 const CIRRUS_ALONG = vec4f(1.0, 3.0, 5.0, 16.0);
 const CIRRUS_ACROSS = vec4f(6.0, 17.0, 47.0, 113.0);
-const CIRRUS_OCTAVE_GAIN = vec4f(3.8, 3.0, 2.6, 2.2);
+const CIRRUS_OCTAVE_GAIN = vec4f(3.8, 3.0, 2.4, 2.2);
+// Turn of each octave against the first one: fibres that were all parallel would look combed.
+const CIRRUS_OCTAVE_TURN = vec4f(0.0, 0.06, -0.07, 0.13);
+// Ripples of cirrocumulus in the even places: sides of their noise, and gain.
+const CIRRUS_RIPPLES = vec2f(41.0, 53.0);
+const CIRRUS_RIPPLE_GAIN = 2.4;
 // Fraction of the sides across by which the third coordinate moves on, so that fibres side by side differ: near the
 // golden section.
 const CIRRUS_SKEW = 0.382;
@@ -84,27 +89,35 @@ fn cirrus_depth(place: vec2f, sheet: u32, texel_km: mat2x2f) -> f32 {
   let turn = CIRRUS_TURN[sheet];
   let bend = cirrus_bend(bare);
   let u = bare + vec2f(0.0, bend.x);
-  // Lengths that are averaged over along the wind, and across the fibres, which are bent.
-  let size_km = vec2f(length(vec2f(1.0, 0.0) * texel_km), length(vec2f(turn + bend.y, 1.0 + bend.z) * texel_km));
+  let along_km = length(vec2f(1.0, 0.0) * texel_km);
   let key = 0.41 * f32(sheet);
   let broad = cirrus_noise(u, vec2f(1.0, 2.0), turn, key + 0.17);
   // Some places are an even veil, others all fibres.
-  let fibrous = smoothstep(-0.2, 0.12, broad);
+  let fibrous = smoothstep(-0.2, 0.3, broad);
   var log_depth = 0.0;
   var variance = 0.0;
-  for (var i = 0; i < CIRRUS_OCTAVES; i++) {
-    let sides = vec2f(CIRRUS_ALONG[i], CIRRUS_ACROSS[i]);
+  for (var i = 0; i <= CIRRUS_OCTAVES; i++) {
+    var sides = CIRRUS_RIPPLES;
+    var gain = CIRRUS_RIPPLE_GAIN * (1.0 - smoothstep(0.05, 0.4, fibrous));
+    var octave_turn = turn;
+    if i < CIRRUS_OCTAVES {
+      sides = vec2f(CIRRUS_ALONG[i], CIRRUS_ACROSS[i]);
+      gain = CIRRUS_OCTAVE_GAIN[i] * mix(0.25, 1.0, fibrous);
+      octave_turn += CIRRUS_OCTAVE_TURN[i];
+    }
+    // Fibres are bent: their width is measured across their own direction.
+    let across_km = length(vec2f(octave_turn + bend.y, 1.0 + bend.z) * texel_km);
     let lengths = CIRRUS_NOISE_LENGTH / (cloud_field.tiles_per_km * sides);
-    let left = cirrus_left(lengths.x, size_km.x) * cirrus_left(lengths.y, size_km.y);
-    let gain = CIRRUS_OCTAVE_GAIN[i] * left * mix(0.25, 1.0, fibrous);
+    gain *= cirrus_left(lengths.x, along_km) * cirrus_left(lengths.y, across_km);
     if gain > 0.1 {
-      log_depth += gain * cirrus_noise(u, sides, turn, key + 0.29 * f32(i));
+      log_depth += gain * cirrus_noise(u, sides, octave_turn, key + 0.29 * f32(i));
       variance += gain * gain * (CIRRUS_NOISE_DEVIATION * CIRRUS_NOISE_DEVIATION);
     }
   }
+  let across_km = length(vec2f(turn + bend.y, 1.0 + bend.z) * texel_km);
   var depth = full * full * exp(log_depth - 0.5 * variance);
   if sheet == 0u {
-    depth *= cirrus_streaks(u, turn, size_km, mix(0.4, 1.5, fibrous));
+    depth *= cirrus_streaks(u, turn, vec2f(along_km, across_km), mix(0.4, 1.5, fibrous));
   }
   return depth * CIRRUS_DEPTHS[sheet] * cloud_field.extinction_per_km / cloud_field.layers_per_km;
 }
