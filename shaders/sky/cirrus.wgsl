@@ -19,7 +19,7 @@ const CIRRUS_PER_RISE = 1.1;
 const CIRRUS_OCTAVES = 4;
 const CIRRUS_ALONG = vec4f(1.0, 3.0, 5.0, 16.0);
 const CIRRUS_ACROSS = vec4f(6.0, 17.0, 47.0, 113.0);
-const CIRRUS_OCTAVE_GAIN = vec4f(3.8, 3.0, 2.4, 2.2);
+const CIRRUS_OCTAVE_GAIN = vec4f(4.0, 2.5, 1.9, 2.0);
 // Turn of each octave against the first one: fibres that were all parallel would look combed.
 const CIRRUS_OCTAVE_TURN = vec4f(0.0, 0.06, -0.07, 0.13);
 // Ripples of cirrocumulus in the even places: sides of their noise, and gain.
@@ -44,7 +44,9 @@ const CIRRUS_FALL_STEP = 0.008;
 const CIRRUS_FALL_LEFT = 0.84;
 const CIRRUS_HOOK = 2.0;
 const CIRRUS_HEADS = vec2f(8.0, 27.0);
-const CIRRUS_HEAD_EDGE = vec2f(0.48, 0.9);
+const CIRRUS_HEAD_EDGE = vec2f(0.55, 0.95);
+// Ice between the streaks, and factor on that of the streaks: their mean is 0.46.
+const CIRRUS_STREAKS = vec2f(0.12, 3.2);
 // Standard deviation of the noise, and length of its longest waves, sides.
 const CIRRUS_NOISE_DEVIATION = 0.16;
 const CIRRUS_NOISE_LENGTH = 0.25;
@@ -117,26 +119,28 @@ fn cirrus_depth(place: vec2f, sheet: u32, texel_km: mat2x2f) -> f32 {
   let across_km = length(vec2f(turn + bend.y, 1.0 + bend.z) * texel_km);
   var depth = full * full * exp(log_depth - 0.5 * variance);
   if sheet == 0u {
-    depth *= cirrus_streaks(u, turn, vec2f(along_km, across_km), mix(0.4, 1.5, fibrous));
+    depth *= cirrus_streaks(u, turn, vec2f(along_km, across_km), broad);
   }
   return depth * CIRRUS_DEPTHS[sheet] * cloud_field.extinction_per_km / cloud_field.layers_per_km;
 }
 
 // Ice at `u`, tiles, that has fallen from heads upwind: it lags behind into wind of another direction, so that streaks
-// bend, and thins out on its way. `reach` is a factor on the length of the streaks.
-fn cirrus_streaks(u: vec2f, turn: f32, size_km: vec2f, reach: f32) -> f32 {
+// bend, and thins out on its way. Where the slow noise `broad` is high there are more heads and longer streaks.
+fn cirrus_streaks(u: vec2f, turn: f32, size_km: vec2f, broad: f32) -> f32 {
   let lengths = CIRRUS_NOISE_LENGTH / (cloud_field.tiles_per_km * CIRRUS_HEADS);
   let left = cirrus_left(lengths.x, 0.5 * size_km.x) * cirrus_left(lengths.y, size_km.y);
+  let reach = CIRRUS_FALL_STEP * clamp(1.0 + 3.0 * broad, 0.4, 1.6);
+  let hook = CIRRUS_HOOK * (1.0 + 4.0 * broad);
   var sum = 0.0;
   var weight = 1.0;
   var whole = 0.0;
   for (var i = 0; i < CIRRUS_FALL_STEPS; i++) {
-    let fallen = reach * CIRRUS_FALL_STEP * f32(i);
-    let source = u + vec2f(fallen, CIRRUS_HOOK * fallen * fallen);
-    let noise = 0.5 + left * cirrus_noise(source, CIRRUS_HEADS, turn, 0.77);
+    let fallen = reach * f32(i);
+    let source = u + vec2f(fallen, hook * fallen * fallen);
+    let noise = 0.5 + 0.5 * broad + left * cirrus_noise(source, CIRRUS_HEADS, turn, 0.77);
     sum += weight * smoothstep(CIRRUS_HEAD_EDGE.x, CIRRUS_HEAD_EDGE.y, noise + 0.06 * (1.0 - left));
     whole += weight;
     weight *= CIRRUS_FALL_LEFT;
   }
-  return 3.0 * sum / whole;
+  return CIRRUS_STREAKS.x + CIRRUS_STREAKS.y * sum / whole;
 }
