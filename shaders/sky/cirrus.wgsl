@@ -17,14 +17,25 @@ const CIRRUS_PER_RISE = 1.1;
 // the tile repeats without a seam. The logarithm of the optical depth is their sum: measured cirrus has such a
 // distribution, with many faint places and few dense ones.
 const CIRRUS_OCTAVES = 4;
-const CIRRUS_ALONG = vec4f(1.0, 2.0, 5.0, 11.0);
-const CIRRUS_ACROSS = vec4f(7.0, 19.0, 53.0, 149.0);
-const CIRRUS_OCTAVE_GAIN = vec4f(3.6, 3.4, 3.4, 3.0);
+const CIRRUS_ALONG = vec4f(1.0, 3.0, 5.0, 16.0);
+const CIRRUS_ACROSS = vec4f(6.0, 17.0, 47.0, 113.0);
+const CIRRUS_OCTAVE_GAIN = vec4f(4.0, 2.5, 1.9, 2.0);
+// Turn of each octave against the first one: fibres that were all parallel would look combed.
+const CIRRUS_OCTAVE_TURN = vec4f(0.0, 0.06, -0.07, 0.13);
+// Ripples of cirrocumulus in the even places: sides of their noise, and gain.
+const CIRRUS_RIPPLES = vec2f(41.0, 53.0);
+const CIRRUS_RIPPLE_GAIN = 2.4;
 // Fraction of the sides across by which the third coordinate moves on, so that fibres side by side differ: near the
 // golden section.
 const CIRRUS_SKEW = 0.382;
 // Turn of the fibres of the lower and the upper sheet against the wind, in sides across for one side along the tile.
 const CIRRUS_TURN = vec2f(-0.13, 0.1);
+// Winds turn over tens of km, and eddies of 10 km bend and spread what they carry. Six waves shift the fibres across the
+// wind: columns are their numbers along and across a tile, then their phases (turns) and their heights (tiles).
+const CIRRUS_WAVES_ALONG = array(vec3f(1.0, 1.0, 2.0), vec3f(2.0, 4.0, 5.0));
+const CIRRUS_WAVES_ACROSS = array(vec3f(1.0, -2.0, 1.0), vec3f(5.0, -3.0, 7.0));
+const CIRRUS_WAVE_PHASES = array(vec3f(0.0, 0.3, 0.6), vec3f(0.1, 0.8, 0.45));
+const CIRRUS_WAVE_HEIGHTS = array(vec3f(0.028, 0.02, 0.013), vec3f(0.008, 0.005, 0.003));
 // Streaks: number of samples between the end of a streak and its head, distance between them, tiles; share of ice that
 // is left from one to the next; sideways bend of a streak, tiles per tile squared; sides of the noise along and across
 // a tile for the heads, and the values of the noise between which they become dense.
@@ -32,8 +43,10 @@ const CIRRUS_FALL_STEPS = 10;
 const CIRRUS_FALL_STEP = 0.008;
 const CIRRUS_FALL_LEFT = 0.84;
 const CIRRUS_HOOK = 2.0;
-const CIRRUS_HEADS = vec2f(3.0, 31.0);
-const CIRRUS_HEAD_EDGE = vec2f(0.48, 0.9);
+const CIRRUS_HEADS = vec2f(8.0, 27.0);
+const CIRRUS_HEAD_EDGE = vec2f(0.55, 0.95);
+// Ice between the streaks, and factor on that of the streaks: their mean is 0.46.
+const CIRRUS_STREAKS = vec2f(0.12, 3.2);
 // Standard deviation of the noise, and length of its longest waves, sides.
 const CIRRUS_NOISE_DEVIATION = 0.16;
 const CIRRUS_NOISE_LENGTH = 0.25;
@@ -53,57 +66,81 @@ fn cirrus_left(length_km: f32, size_km: f32) -> f32 {
   return 1.0 / (1.0 + ratio * ratio);
 }
 
-// Optical depth, straight up, of a sheet at a point: 0 is the lower one. `size_km` is the length that it is averaged
-// over, along the wind and across it.
-fn cirrus_depth(place: vec2f, sheet: u32, size_km: vec2f) -> f32 {
+// Shift of the fibres across the wind, tiles, at a place in tiles (x), and its change along and across the wind (yz).
+fn cirrus_bend(place: vec2f) -> vec3f {
+  var bend = vec3f(0.0);
+  for (var i = 0; i < 2; i++) {
+    let along = CIRRUS_WAVES_ALONG[i];
+    let across = CIRRUS_WAVES_ACROSS[i];
+    let at = 2.0 * ATM_PI * (along * place.x + across * place.y + CIRRUS_WAVE_PHASES[i]);
+    let slope = 2.0 * ATM_PI * CIRRUS_WAVE_HEIGHTS[i] * cos(at);
+    bend += vec3f(dot(sin(at), CIRRUS_WAVE_HEIGHTS[i]), dot(slope, along), dot(slope, across));
+  }
+  return bend;
+}
+
+// Optical depth, straight up, of a sheet at a point: 0 is the lower one. It is averaged over an ellipse whose axes, km,
+// are the columns of `texel_km`.
+fn cirrus_depth(place: vec2f, sheet: u32, texel_km: mat2x2f) -> f32 {
   let bare = place * cloud_field.tiles_per_km + select(vec2f(0.0), vec2f(0.37, 0.61), sheet == 1u);
   let map = textureSampleLevel(weather_map, cloud_sampler, bare, 0.0).r;
   let full = saturate(CIRRUS_PER_RISE * (map + CIRRUS_EDGE));
   if full <= 0.0 {
     return 0.0;
   }
-  // Winds turn over tens of km: all fibres bend with them, by waves that are as long as the tile or half of it.
-  let turns = 2.0 * ATM_PI * vec3f(bare.x + bare.y, bare.x - 2.0 * bare.y + 0.3, 2.0 * bare.x + bare.y + 0.6);
-  let u = bare + vec2f(0.0, dot(sin(turns), vec3f(0.028, 0.02, 0.013)));
   let turn = CIRRUS_TURN[sheet];
+  let bend = cirrus_bend(bare);
+  let u = bare + vec2f(0.0, bend.x);
+  let along_km = length(vec2f(1.0, 0.0) * texel_km);
   let key = 0.41 * f32(sheet);
   let broad = cirrus_noise(u, vec2f(1.0, 2.0), turn, key + 0.17);
   // Some places are an even veil, others all fibres.
-  let fibrous = smoothstep(-0.2, 0.12, broad);
+  let fibrous = smoothstep(-0.2, 0.3, broad);
   var log_depth = 0.0;
   var variance = 0.0;
-  for (var i = 0; i < CIRRUS_OCTAVES; i++) {
-    let sides = vec2f(CIRRUS_ALONG[i], CIRRUS_ACROSS[i]);
+  for (var i = 0; i <= CIRRUS_OCTAVES; i++) {
+    var sides = CIRRUS_RIPPLES;
+    var gain = CIRRUS_RIPPLE_GAIN * (1.0 - smoothstep(0.05, 0.4, fibrous));
+    var octave_turn = turn;
+    if i < CIRRUS_OCTAVES {
+      sides = vec2f(CIRRUS_ALONG[i], CIRRUS_ACROSS[i]);
+      gain = CIRRUS_OCTAVE_GAIN[i] * mix(0.25, 1.0, fibrous);
+      octave_turn += CIRRUS_OCTAVE_TURN[i];
+    }
+    // Fibres are bent: their width is measured across their own direction.
+    let across_km = length(vec2f(octave_turn + bend.y, 1.0 + bend.z) * texel_km);
     let lengths = CIRRUS_NOISE_LENGTH / (cloud_field.tiles_per_km * sides);
-    let left = cirrus_left(lengths.x, size_km.x) * cirrus_left(lengths.y, size_km.y);
-    let gain = CIRRUS_OCTAVE_GAIN[i] * left * mix(0.3, 1.0, fibrous);
+    gain *= cirrus_left(lengths.x, along_km) * cirrus_left(lengths.y, across_km);
     if gain > 0.1 {
-      log_depth += gain * cirrus_noise(u, sides, turn, key + 0.29 * f32(i));
+      log_depth += gain * cirrus_noise(u, sides, octave_turn, key + 0.29 * f32(i));
       variance += gain * gain * (CIRRUS_NOISE_DEVIATION * CIRRUS_NOISE_DEVIATION);
     }
   }
+  let across_km = length(vec2f(turn + bend.y, 1.0 + bend.z) * texel_km);
   var depth = full * full * exp(log_depth - 0.5 * variance);
   if sheet == 0u {
-    depth *= cirrus_streaks(u, turn, size_km);
+    depth *= cirrus_streaks(u, turn, vec2f(along_km, across_km), broad);
   }
   return depth * CIRRUS_DEPTHS[sheet] * cloud_field.extinction_per_km / cloud_field.layers_per_km;
 }
 
 // Ice at `u`, tiles, that has fallen from heads upwind: it lags behind into wind of another direction, so that streaks
-// bend, and thins out on its way.
-fn cirrus_streaks(u: vec2f, turn: f32, size_km: vec2f) -> f32 {
+// bend, and thins out on its way. Where the slow noise `broad` is high there are more heads and longer streaks.
+fn cirrus_streaks(u: vec2f, turn: f32, size_km: vec2f, broad: f32) -> f32 {
   let lengths = CIRRUS_NOISE_LENGTH / (cloud_field.tiles_per_km * CIRRUS_HEADS);
   let left = cirrus_left(lengths.x, 0.5 * size_km.x) * cirrus_left(lengths.y, size_km.y);
+  let reach = CIRRUS_FALL_STEP * clamp(1.0 + 3.0 * broad, 0.4, 1.6);
+  let hook = CIRRUS_HOOK * (1.0 + 4.0 * broad);
   var sum = 0.0;
   var weight = 1.0;
   var whole = 0.0;
   for (var i = 0; i < CIRRUS_FALL_STEPS; i++) {
-    let fallen = CIRRUS_FALL_STEP * f32(i);
-    let source = u + vec2f(fallen, CIRRUS_HOOK * fallen * fallen);
-    let noise = 0.5 + left * cirrus_noise(source, CIRRUS_HEADS, turn, 0.77);
+    let fallen = reach * f32(i);
+    let source = u + vec2f(fallen, hook * fallen * fallen);
+    let noise = 0.5 + 0.5 * broad + left * cirrus_noise(source, CIRRUS_HEADS, turn, 0.77);
     sum += weight * smoothstep(CIRRUS_HEAD_EDGE.x, CIRRUS_HEAD_EDGE.y, noise + 0.06 * (1.0 - left));
     whole += weight;
     weight *= CIRRUS_FALL_LEFT;
   }
-  return 3.0 * sum / whole;
+  return CIRRUS_STREAKS.x + CIRRUS_STREAKS.y * sum / whole;
 }

@@ -52,10 +52,10 @@ fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, detail: f32) -> f32 {
   var depth = 0.0;
   var step_km = first_km;
   var at = p;
-  for (var i = 0; i < 7; i++) {
+  for (var i = 0; i < 6; i++) {
     depth += step_km * cloud_density(at + (0.5 * step_km) * sun, select(0.0, detail, i < 3), 1.4 * step_km);
     at += step_km * sun;
-    step_km *= 1.6;
+    step_km *= 1.8;
   }
   return depth * cloud_field.extinction_per_km;
 }
@@ -70,6 +70,21 @@ struct DomeLight {
   distance_km: f32,
 }
 
+// Factors on the light of sun, sky and sea, of cloud at the point p.
+fn dome_lit(p: vec3f, place: vec4f, inside: f32, detail: f32, sun: vec3f, phase: vec3f) -> vec3f {
+  let tau = dome_sun_depth(p, sun, 1.2 * cloud_field.step_km, detail);
+  let rise = max(p.y - cloud_field.base_km, 0.0);
+  let over_km = max(place.y, 0.0);
+  let above = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * over_km);
+  let below = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * rise);
+  // Light that has been scattered often is weaker at the very surface, from which it escapes.
+  let buried = 1.0 - 0.7 * exp(-0.35 * (tau + cloud_field.extinction_per_km * 0.1 * inside));
+  let shine = phase * exp(-tau * DOME_OCTAVE_EXTINCTION);
+  // Creases between heads, which the noise has cut into the cloud, see less of the light from all sides.
+  let open = DOME_CREASE + (1.0 - DOME_CREASE) * saturate(0.6 - 2.0 * place.x / cloud_field.shape_amplitude);
+  return vec3f(shine.x + open * (shine.y + shine.z * buried), 0.5 * above * open, 0.5 * below);
+}
+
 fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
   let ray = cloud_turned(dir);
   let sun = cloud_turned(sky.sun_direction);
@@ -78,6 +93,10 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
   var seen = 1e-6;
   var distance_sum = near * seen;
   var t = near;
+  // What the last point knew: its depth in the cloud, the way from it to this one, and the light of the cloud there.
+  var last_inside = -1.0;
+  var way = 0.0;
+  var lit = vec3f(0.0);
   for (var i = 0; i < DOME_MOST_STEPS; i++) {
     if t >= far || out.transmittance < DOME_LEAST_TRANSMITTANCE {
       break;
@@ -95,36 +114,42 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
     } else {
       inside += 0.45 * cloud_field.shape_amplitude;
     }
-    if inside <= 0.0 {
-      // Nothing lies much nearer than the depth.
-      t += clamp(-inside * cloud_field.stride, 0.7 * finest, 12.0 * finest + 0.02 * t);
+    // The depth is taken to change evenly on the way from the last point. So a ray meets the same amount of cloud
+    // wherever its points happen to lie: else thin edges would look like fur.
+    let deeper = max(inside, last_inside);
+    let lower = min(inside, last_inside);
+    let in_cloud = way * (deeper / max(deeper - min(lower, 0.0), 1e-6));
+    if inside > 0.0 && last_inside <= 0.0 && in_cloud > 1.2 * finest {
+      // A long step has led deep into a cloud: back to its surface.
+      t -= in_cloud;
+      way -= in_cloud;
       continue;
     }
-    let density = cloud_edge(inside * cloud_field.sharpness);
-    let extinction = density * cloud_field.extinction_per_km;
-    let step_km = finest * (1.0 + 2.5 * (1.0 - out.transmittance));
-    if density > 0.002 {
-      let tau = dome_sun_depth(p, sun, 1.2 * cloud_field.step_km, detail);
-      let octaves = exp(-tau * DOME_OCTAVE_EXTINCTION);
-      let rise = max(alt - cloud_field.base_km, 0.0);
-      let over_km = max(place.y, 0.0);
-      let above = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * over_km);
-      let below = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * rise);
-      let passed = exp(-extinction * step_km);
-      let share = out.transmittance * (1.0 - passed);
-      // Light that has been scattered often is weaker at the very surface, from which it escapes.
-      let buried = 1.0 - 0.7 * exp(-0.35 * (tau + cloud_field.extinction_per_km * 0.1 * inside));
-      let shine = phase * octaves;
-      // Creases between heads, which the noise has cut into the cloud, see less of the light from all sides.
-      let open = DOME_CREASE + (1.0 - DOME_CREASE) * saturate(0.6 - 2.0 * depth / cloud_field.shape_amplitude);
-      out.sun += share * (shine.x + open * (shine.y + shine.z * buried));
-      out.sky += share * 0.5 * above * open;
-      out.sea += share * 0.5 * below;
-      seen += share;
-      distance_sum += share * t;
-      out.transmittance *= passed;
+    if deeper > 0.0 && way > 0.0 {
+      let middle = 0.5 * (deeper + max(lower, 0.0));
+      let density = cloud_edge(middle * cloud_field.sharpness);
+      if density > 0.002 {
+        if inside > 0.0 {
+          lit = dome_lit(p - (0.5 * in_cloud) * ray, place, middle, detail, sun, phase);
+        }
+        let passed = exp(-density * cloud_field.extinction_per_km * in_cloud);
+        let share = out.transmittance * (1.0 - passed);
+        out.sun += share * lit.x;
+        out.sky += share * lit.y;
+        out.sea += share * lit.z;
+        seen += share;
+        distance_sum += share * t;
+        out.transmittance *= passed;
+      }
     }
-    t += step_km;
+    last_inside = inside;
+    let hidden = 1.0 - out.transmittance;
+    way = finest * (1.0 + 4.0 * hidden * hidden);
+    if inside <= 0.0 {
+      // Nothing lies much nearer than the depth.
+      way = clamp(-inside * cloud_field.stride, 0.7 * finest, 12.0 * finest + 0.02 * t);
+    }
+    t += way;
   }
   if out.transmittance < DOME_LEAST_TRANSMITTANCE {
     out.transmittance = 0.0;

@@ -28,7 +28,7 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   // The edge of a heap bulges, but is not cut through: that would leave crumbs around it.
   let whole = mix(CLOUD_THIN_CUT, 1.0, saturate(2.0 * (place.y + rise_km) / amplitude));
   let bump = max(shape - 0.5, 0.0) + whole * min(shape - 0.5, 0.0);
-  var inside = depth + amplitude * saturate(0.85 + 3.2 * depth / amplitude) * bump;
+  var inside = depth + amplitude * saturate(0.85 + 5.0 * depth / amplitude) * bump;
   var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
   if detail > 0.0 && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
     let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.details_per_km, 0.0).g;
@@ -37,8 +37,10 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
     inside += detail * cloud_field.detail_amplitude * (heads - 0.45);
     bump_km += 0.4 * detail * cloud_field.detail_amplitude * (fine - 0.45);
   }
-  // The base is nearly flat.
-  return min(inside, (rise_km - bump_km) * (cloud_field.base_sharpness / cloud_field.sharpness));
+  // The base is nearly flat. Tops of high heaps are crisp, low heaps and rims are thin.
+  let deep = min(inside, (rise_km - bump_km) * (cloud_field.base_sharpness / cloud_field.sharpness));
+  let heap = (place.y + rise_km) * cloud_field.layers_per_km;
+  return select(deep, deep * mix(0.35, 1.8, smoothstep(0.03, 0.25, heap)), deep > 0.0);
 }
 
 // Density of a cloud, 0 to 1, at a depth that is counted in depths in which the cloud becomes dense. It rises slowly at

@@ -24,11 +24,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let step_km = 1.0 / (cloud_field.layers_per_km * steps);
   if cloud_field.kind == CLOUD_CIRRUS {
     // Widths of the texels, over which the sheets are averaged.
-    let size_km = vec2f(1.0 / (cloud_field.tiles_per_km * f32(textureDimensions(shadow_out).x)));
+    let side_km = 1.0 / (cloud_field.tiles_per_km * f32(textureDimensions(shadow_out).x));
     var thin = 0.0;
     for (var i = 0u; i < 2u; i++) {
       let place = at + slope.xz * (CIRRUS_RISES[i] / cloud_field.layers_per_km);
-      thin += cirrus_depth(place, i, size_km) * length(slope);
+      thin += cirrus_depth(place, i, mat2x2f(side_km, 0.0, 0.0, side_km)) * length(slope);
     }
     textureStore(shadow_out, id.xy, vec4f(exp(-thin), 0.0, 0.0, 1.0));
     return;

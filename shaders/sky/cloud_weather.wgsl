@@ -8,6 +8,10 @@
 // Number of streets of heaps in a tile.
 const WEATHER_STREETS = 9.0;
 
+// Place of the field of heaps, tiles, over the sea's origin, where most views begin: the sun shines there between
+// clouds of many sizes.
+const WEATHER_HEAPS_START = vec2f(0.648, 0.367);
+
 // Broken deck: value of its pattern at which the height is half of the highest, and the step, tiles, for differences.
 const WEATHER_DECK_EDGE = 0.35;
 const WEATHER_DECK_STEP = 0.002;
@@ -37,38 +41,54 @@ fn weather_fractal(at: vec2f, period: i32, key: u32) -> f32 {
     + 0.25 * weather_smooth(at, 4 * period, key + 2u);
 }
 
-// Factor on the area of the heaps of cloud around a place, of mean 1: they gather in groups some kilometres wide, and
-// in streets along the wind, which rise where rolls of air meet, 3.5 km apart in a field of cumulus; between lie lanes
-// of clear sky.
-fn weather_group(at: vec2f) -> f32 {
+// Factor on the area of the heaps of cloud around a place, of mean 1: they gather in groups of 8 and of 3 km, and in
+// streets along the wind, which rise where rolls of air meet, 3.5 km apart in a field of cumulus; between lie lanes
+// of clear sky. `gather` is the strength of that, 0 to 1.
+fn weather_group(at: vec2f, gather: f32) -> f32 {
   let street = cos(2.0 * ATM_PI * (WEATHER_STREETS * at.y + 0.9 * weather_smooth(at, 3, 71u)));
-  return exp(4.2 * weather_smooth(at, 4, 75u) + street - 0.81);
+  let crowd = 4.0 * (weather_smooth(at, 4, 75u) + weather_smooth(at, 11, 79u)) + street;
+  return exp(gather * crowd - 0.92 * gather * gather);
 }
 
 // Heaps of cloud: the highest of paraboloids at random points, one in each of `cells` x `cells` cells of the tile.
 // `area` is the sum of their areas divided by that of the tile, `steepness` the height of a heap divided by its radius,
 // both as fractions of tile and layer.
-fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, key: u32) -> vec2f {
+fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, gather: f32, key: u32) -> vec2f {
   let p = at * f32(cells);
   let cell = vec2i(floor(p));
+  // Cumulus has steep sides down to the base and round tops. Towers are steep already.
+  let sides = select(0.3, 1.0, cloud_field.kind == CLOUD_CUMULUS);
   var high = vec2f(-1.0, 0.0);
   for (var i = 0; i < 25; i++) {
     let off = vec2i(i % 5, i / 5) - 2;
     let random = weather_random(cell + off, cells, key);
     let middle = vec2f(cell + off) + random.xy;
+    let d = middle - p;
+    // Heaps whose edge is more than a cell away do not matter here.
+    if dot(d, d) > 4.0 {
+      continue;
+    }
     // Areas follow a power law of mean 1: many small heaps, few large ones.
     let share = inverseSqrt(max(random.z, 0.03)) / 1.83;
-    let radius = min(sqrt(area * weather_group(middle / f32(cells)) * share / ATM_PI), 0.95);
-    let size = min(steepness * radius * (0.7 + 0.6 * random.w), 1.0);
-    let d = middle - p;
+    let radius = min(sqrt(area * weather_group(middle / f32(cells), gather) * share / ATM_PI), 0.95);
+    let size = min(steepness * radius * (0.6 + 0.8 * random.w * random.w), 1.0);
     let square = radius * radius + 1e-4;
     // The smallest heaps have dissolved.
-    let here = size * (1.0 - dot(d, d) / square) - 0.09;
+    let x = dot(d, d) / square;
+    let here = size * (1.0 - x * mix(1.0, min(x, 1.0), sides)) - 0.09;
     if here > high.x {
-      high = vec2f(here, 2.0 * size * min(length(d), radius) / square * f32(cells));
+      let steep = select(2.0, 2.0 * mix(1.0, 2.0 * x, sides), x < 1.0) * size * min(length(d), radius) / square;
+      high = vec2f(here, steep * f32(cells));
     }
   }
   return high;
+}
+
+// Two layers of heaps as one: where both have cloud, the lower one is a turret on the higher one.
+fn weather_piled(a: vec2f, b: vec2f) -> vec2f {
+  let high = select(b, a, a.x > b.x);
+  let low = select(a, b, a.x > b.x);
+  return high + select(vec2f(0.0), 0.5 * low, low.x > 0.0);
 }
 
 // Square of the distance to the nearest of random points, one in each cell, in cells. Points differ by `spread` in this
@@ -103,19 +123,22 @@ fn weather_normal_quantile(share: f32) -> f32 {
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
+  let is_heaps = cloud_field.kind == CLOUD_CUMULUS || cloud_field.kind == CLOUD_TOWERING;
   let size = vec2f(textureDimensions(weather_out));
-  let bare = (vec2f(id.xy) + 0.5) / size;
+  let bare = (vec2f(id.xy) + 0.5) / size + select(vec2f(0.0), WEATHER_HEAPS_START, is_heaps);
   // Bent coordinates leave no round outlines.
   let bend = vec2f(weather_fractal(bare, 14, 31u), weather_fractal(bare, 14, 47u));
-  let at = bare + 0.012 * bend;
+  let at = bare + select(0.012, 0.02, is_heaps) * bend;
   let cover = cloud_field.cover;
   // Heaps that gather overlap more than those at random, which would cover the share 1 - exp(-area).
-  let area = 1.62 * (pow(max(1.0 - cover, 0.02), -0.6) - 1.0);
+  let area = 1.2 * (pow(max(1.0 - cover, 0.02), -0.72) - 1.0);
   var high = vec2f(-1.0, 0.0);
-  if cloud_field.kind == CLOUD_CUMULUS || cloud_field.kind == CLOUD_TOWERING {
-    let wide = weather_heaps(at, 20, 0.6 * area, cloud_field.steepness / 20.0, 1u);
-    let narrow = weather_heaps(at, 47, 0.4 * area, 1.15 * cloud_field.steepness / 47.0, 11u);
-    high = select(narrow, wide, wide.x > narrow.x);
+  if is_heaps {
+    let steep = cloud_field.steepness;
+    let wide = weather_heaps(at, 17, 0.35 * area, 0.85 * steep / 17.0, 1.0, 1u);
+    let middle = weather_heaps(at, 31, 0.3 * area, 1.1 * steep / 31.0, 1.0, 11u);
+    let narrow = weather_heaps(at, 61, 0.35 * area, 1.4 * steep / 61.0, 0.5, 21u);
+    high = weather_piled(weather_piled(wide, middle), narrow);
   } else if cloud_field.kind == CLOUD_STRATOCUMULUS {
     // Differences between neighbours give the steepness.
     let next = vec2f(WEATHER_DECK_STEP, 0.0);

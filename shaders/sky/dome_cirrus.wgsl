@@ -22,10 +22,10 @@ fn dome_cirrus(dir: vec3f, texel: vec2f) -> DomeLight {
     // Sine of the ray's elevation where it meets the sheet.
     let mu = (ATM_EARTH_RADIUS_KM * dir.y + t) / (ATM_EARTH_RADIUS_KM + height);
     let size = t * texel * vec2f(length(ray.xz), 1.0 / mu);
-    let size_km = vec2f(length(size * heading.yx), length(size * heading.xy));
+    let texel_km = mat2x2f(size.x * vec2f(-heading.y, heading.x), size.y * heading);
     let place = cloud_field.eye_km + ray.xz * t;
     let fade = 1.0 - smoothstep(CIRRUS_FAR_KM.x, CIRRUS_FAR_KM.y, t);
-    let depth = fade * cirrus_depth(place, i, size_km);
+    let depth = fade * cirrus_depth(place, i, texel_km);
     let passed = exp(-depth / mu);
     let share = out.transmittance * (1.0 - passed);
     // Half of the sheet lies before what is seen, on the way of the sunlight and on that of the view.
