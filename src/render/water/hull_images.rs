@@ -111,10 +111,10 @@ const YACHT: &[Section] = &[
 /// Angular frequency of ripples of 0.55 m, rad/s.
 const RIPPLE_RAD_S: f64 = 10.6;
 /// Distance after which the pattern of the foam in a wake starts anew, m.
-const DRIFT_PERIOD_M: f64 = 65_536.0;
+pub const DRIFT_PERIOD_M: f64 = 65_536.0;
 
 /// Speed through the water of a yacht of 11 m that sails close-hauled, m/s. Above some 3.3 m/s its own waves hold it.
-fn yacht_speed_m_s(wind_m_s: f64) -> f64 {
+pub fn yacht_speed_m_s(wind_m_s: f64) -> f64 {
     3.3 * (1.0 - (-wind_m_s / 5.0).exp())
 }
 
