@@ -77,7 +77,7 @@ const HULL_DOUBLED = vec2f(0.35, 0.05);
 // Fraction of the skylight that is hidden from a sail at its leading edge.
 const HULL_LUFF_SHADE = 0.3;
 // How much more light a sail lets through straight than to the side.
-const HULL_SAIL_GLOW = 0.7;
+const HULL_SAIL_GLOW = 1.2;
 
 // Fraction of a pixel of the width `pixel` that a line of half the width `half` covers, at the distance `off`.
 fn hull_line_cover(off: f32, half: f32, pixel: f32) -> f32 {
@@ -196,8 +196,8 @@ fn hull_foam(position: vec3f, pattern: vec3f, colour: vec3f) -> vec4f {
   let dir = position / distance_m;
   let at = vec2f(pattern.x, pattern.y * 0.6);
   let torn = 0.6 * hull_noise(at * 2.6) + 0.4 * hull_noise(at * vec2f(7.0, 9.0) + 31.0);
-  let thick = 1.35 * pattern.z - 0.75 * pattern.y * pattern.y - 0.05;
-  let opacity = smoothstep(0.0, 0.3, thick - 0.75 * torn) * saturate(3.0 * pattern.z);
+  let thick = 1.3 * pattern.z - 0.6 * pattern.y * pattern.y - 0.1;
+  let opacity = smoothstep(0.0, 0.35, thick - 0.8 * torn) * saturate(3.0 * pattern.z);
   // Thick foam is lit from all sides, from above most, and its hollows are darker.
   let n = normalize(vec3f(-dir.x, 1.0, -dir.z));
   let sun = cloud_sun_irradiance() * (0.25 + 0.6 * max(dot(n, frame.sun_direction), 0.0));

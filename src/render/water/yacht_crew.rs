@@ -38,7 +38,7 @@ fn person(facets: &mut Vec<HullFacet>, seat: DVec3, ahead: DVec3, [hand, foot]: 
     // The head, from the neck up: the face, then a cap.
     let head = [(0.62, 0.06, SKIN), (0.68, 0.095, SKIN), (0.77, 0.115, cap), (0.85, 0.09, cap), (0.885, 0.0, cap)];
     limb(facets, &head.map(|(y, radius_m, paint)| (at([0.09, 0.0, y]), radius_m, paint)));
-    limb(facets, &[(at([0.1, 0.0, 0.75]), 0.1, HAIR), (at([0.24, 0.0, 0.76]), 0.07, HAIR)]);
+    limb(facets, &[(at([0.07, 0.0, 0.73]), 0.1, HAIR), (at([-0.03, 0.0, 0.72]), 0.06, HAIR)]);
     for side in [-1.0, 1.0] {
         let [elbow, knee] = [[0.5 * hand.x - 0.02, side * 0.27, 0.26], [0.5 * foot.x + 0.22, side * 0.13, 0.1]];
         limb(

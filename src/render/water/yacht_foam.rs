@@ -42,14 +42,14 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64) -> Vec<FoamCorner> {
         // Along the hull.
         let crest = (0..=36).map(|i| {
             let z = stem - 0.15 + f64::from(i) * (stern - stem) / 36.0;
-            let bow = bell(z, stem + 0.6, 0.55).max(0.75 * bell(z, stem + 1.0, 1.1));
-            let high = bow + 0.16 + 0.3 * bell(z, stern, 1.2);
-            let shown = 0.42 + 0.6 * bow + 0.3 * bell(z, stern, 1.5);
+            let bow = bell(z, stem + 0.5, 0.5).max(0.8 * bell(z, stem + 1.1, 1.3));
+            let high = 1.15 * bow + 0.3 + 0.3 * bell(z, stern, 1.2);
+            let shown = 0.6 + 0.5 * bow + 0.2 * bell(z, stern, 1.5);
             (beside(z) + DVec3::X * (side * 0.03), press * rise_m * high, white * press * shown)
         });
         sheet(&mut corners, &crest.collect(), side);
         // The bow wave and the stern wave run away from the hull.
-        for (from, height, reach) in [(stem + 0.9, 0.75, 2.6), (stern - 0.1, 0.45, 3.2)] {
+        for (from, height, reach) in [(stem + 0.9, 0.9, 2.6), (stern - 0.1, 0.5, 3.2)] {
             let start = beside(from);
             let crest = (0..=14).map(|i| {
                 let behind_m = 0.5 * f64::from(i);
@@ -66,7 +66,7 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64) -> Vec<FoamCorner> {
 
 /// Adds the water that the hull has churned: low crests across its track and along it, which the waves hide here and there.
 fn wake(corners: &mut Vec<FoamCorner>, rise_m: f64, white: f64) {
-    for (z, half, height, shown) in [(5.75, 1.15, 0.3, 1.0), (7.2, 1.4, 0.25, 0.75), (9.4, 1.7, 0.16, 0.55)] {
+    for (z, half, height, shown) in [(5.75, 1.1, 0.3, 0.85), (7.4, 1.3, 0.3, 0.6), (9.8, 1.6, 0.2, 0.45)] {
         let crest = (0..=8).map(|i| {
             let x = (f64::from(i) - 4.0) / 4.0;
             (DVec3::new(x * half, 0.0, z), rise_m * height * (1.0 - 0.6 * x * x), white * shown)
@@ -78,7 +78,7 @@ fn wake(corners: &mut Vec<FoamCorner>, rise_m: f64, white: f64) {
         let crest = (0..=20).map(|i| {
             let behind_m = 1.2 * f64::from(i);
             let at = DVec3::new(side * (0.85 + 0.04 * behind_m), 0.0, 5.6 + behind_m);
-            (at, 0.22 * rise_m, white * 0.75 * (-behind_m / 9.0).exp())
+            (at, 0.25 * rise_m, white * 0.6 * (-behind_m / 12.0).exp())
         });
         sheet(corners, &crest.collect(), side);
     }

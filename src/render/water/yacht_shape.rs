@@ -11,11 +11,11 @@ const DECK: u32 = 0x00b4_c8d4;
 /// tell the two sails apart.
 const SAILS: [u32; 2] = [0x40e0_ecf0, 0x40e0_ebf0];
 /// White paint just above the water line, which is wet and reflects less.
-const WET_WHITE: u32 = 0x00b8_c0bc;
+const WET_WHITE: u32 = 0x00d0_d6d4;
 /// Weathered teak of the cockpit.
 const TEAK: u32 = 0x0068_8094;
 /// Dark red antifouling paint below the water line.
-const ANTIFOULING: u32 = 0x0028_2c70;
+const ANTIFOULING: u32 = 0x0028_2a60;
 /// Distance of the mast's foot before the middle of the hull, m.
 const MAST_AHEAD_M: f64 = 0.85;
 /// Height of the top of the mast above the water, m.
@@ -79,7 +79,7 @@ pub fn smooth_sheet(
 
 /// Heights at which the antifouling ends, the white of the side begins, and the white is dry, m; the line between the
 /// first two is dark blue.
-const SIDE_LEVELS_M: [f64; 3] = [0.02, 0.12, 0.24];
+const SIDE_LEVELS_M: [f64; 3] = [-0.06, 0.06, 0.18];
 /// Paints of the bands of the hull's side, from the lowest point to the deck.
 const SIDE_PAINTS: [u32; 9] = [ANTIFOULING, ANTIFOULING, ANTIFOULING, NAVY, WET_WHITE, WHITE, WHITE, NAVY, WHITE];
 
