@@ -89,7 +89,11 @@ fn hull_doubled_cloth(cloth: vec2f, pixel: vec2f) -> f32 {
   let seam = abs(fract(cloth.y * HULL_SEAMS) - 0.5);
   let seams = hull_line_cover(seam, HULL_SEAM_HALF, max(pixel.y * HULL_SEAMS, 1e-4));
   let edge = min(cloth.x, 1.0 - cloth.x);
-  return max(seams, hull_line_cover(edge, HULL_TAPE, max(pixel.x, 1e-4)));
+  // Patches of several cloths strengthen the corners.
+  let corners = min(length(cloth * vec2f(1.0, 2.8)), min(
+    length(vec2f(1.0 - cloth.x, 2.8 * cloth.y)), 3.0 - 3.0 * cloth.y));
+  let patches = 0.5 * (1.0 - smoothstep(0.2, 0.24, corners)) + 0.3 * (1.0 - smoothstep(0.32, 0.36, corners));
+  return max(max(seams, patches), hull_line_cover(edge, HULL_TAPE, max(pixel.x, 1e-4)));
 }
 
 @fragment
@@ -127,7 +131,7 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let around = from_sky + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
   let straight = pow(max(dot(dir, frame.sun_direction), 0.0), 12.0);
   let glow = 0.85 + HULL_SAIL_GLOW * straight;
-  let diffuse = sun * (1.0 - through) + sunlight * (max(-sun_cosine, 0.0) * paint.a * glow);
+  let diffuse = sun * (1.0 - through) + sunlight * (max(-sun_cosine, 0.0) * (0.6 - 0.4 * sun_cosine) * paint.a * glow);
   // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);
   let sheen = 0.04 + 0.96 * pow(saturate(1.0 + dot(dir, n)), 5.0);

@@ -36,15 +36,15 @@ pub fn in_shade(cloth: u32, shade: f64) -> u32 {
     cloth | ((255.0 * shade).round() as u32) << 24
 }
 
-/// Whether a ray from a point meets a triangle, at least 5 cm away.
-pub fn meets_triangle([a, b, c]: [DVec3; 3], from: DVec3, ray: DVec3) -> bool {
+/// How much a triangle stops a ray from a point that is at least 5 cm away: 1 within it, falling to 0 towards its edges.
+pub fn shade_of_triangle([a, b, c]: [DVec3; 3], from: DVec3, ray: DVec3) -> f64 {
     let (ab, ac) = (b - a, c - a);
     let turned = ray.cross(ac);
     let area = ab.dot(turned);
     let off = from - a;
     let crossed = off.cross(ab);
     let [u, v, distance_m] = [off.dot(turned), ray.dot(crossed), ac.dot(crossed)].map(|x| x / area);
-    u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance_m > 0.05
+    if distance_m > 0.05 { (u.min(v).min(1.0 - u - v) / 0.08).clamp(0.0, 1.0) } else { 0.0 }
 }
 
 /// Colour of yellow paint; the colour of each paint is as in [`HullFacet::colour`].

@@ -1,7 +1,7 @@
 //! Floating buoys, boats and yachts (shaders/water/hulls.wgsl): a few small hulls, whose vertices the CPU transforms.
 
 use super::hull_images::{DRIFT_PERIOD_M, yacht_speed_m_s};
-use super::hull_shapes::{HullFacet, HullLine, boat_hull, buoy_hull, in_shade, meets_triangle};
+use super::hull_shapes::{HullFacet, HullLine, boat_hull, buoy_hull, in_shade, shade_of_triangle};
 use super::yacht_foam::{FoamCorner, yacht_foam};
 use super::yacht_shape::{sail_shades, yacht_hull, yacht_lines, yacht_mast};
 use crate::gpu::Gpu;
@@ -110,8 +110,10 @@ impl HullPass {
             let shade = |facet: &HullFacet| {
                 let mut facet = *facet;
                 for (cloth, corner) in facet.cloth.iter_mut().zip(facet.corners).filter(|_| yacht) {
-                    let meets = |&(sail, colour)| facet.colour != colour && meets_triangle(sail, corner, to_sun);
-                    *cloth = in_shade(*cloth, SAIL_SHADE * f64::from(self.sail_shades.iter().any(meets)));
+                    let shade = |&(sail, colour)| {
+                        if facet.colour == colour { 0.0 } else { shade_of_triangle(sail, corner, to_sun) }
+                    };
+                    *cloth = in_shade(*cloth, SAIL_SHADE * self.sail_shades.iter().map(shade).fold(0.0, f64::max));
                 }
                 facet
             };
