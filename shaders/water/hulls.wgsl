@@ -204,7 +204,7 @@ fn hull_foam(position: vec3f, pattern: vec3f, colour: vec3f) -> vec4f {
   let opacity = smoothstep(0.0, 0.35, thick - 0.8 * torn) * saturate(3.0 * pattern.z);
   // Thick foam is lit from all sides, from above most, and its hollows are darker.
   let n = normalize(vec3f(-dir.x, 1.0, -dir.z));
-  let sun = cloud_sun_irradiance() * (0.25 + 0.6 * max(dot(n, frame.sun_direction), 0.0));
+  let sun = cloud_sun_irradiance() * (0.35 + 0.55 * max(dot(n, frame.sun_direction), 0.0));
   let surface = colour * (0.75 + 0.5 * torn) * (sun + 0.8 * light.sky_irradiance) / ATM_PI;
   let air = air_to_point(dir, distance_m);
   return vec4f(min(surface * air[1] + air[0], vec3f(6e4)) * opacity, opacity);

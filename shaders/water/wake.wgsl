@@ -35,8 +35,8 @@ fn wake_kept(k: f32, pixel_m: f32) -> f32 {
   return exp(-min(phase * phase / 24.0, 40.0));
 }
 
-// Slope (astern, to the side) of the waves at the edge of the wake, where both systems of Kelvin's waves meet. They begin
-// `start_m` beside the middle line.
+// Slope (astern, to the side) of the waves at the edge of the wake, where both systems of Kelvin's waves meet. They
+// begin `start_m` beside the middle line.
 fn wake_edge(k: f32, astern_m: f32, aside_m: f32, start_m: f32, pixel_m: f32) -> vec2f {
   let edge_k = k / WAKE_EDGE_LENGTH;
   let behind_m = max(astern_m, 0.0);
@@ -62,7 +62,8 @@ fn wake_under_way(speed_m_s: f32, astern_m: f32, aside_m: f32, length_m: f32, ha
     + 0.7 * wake_edge(k, past_m, aside_m, 0.7 * half_m, pixel.x));
   // Behind the stern, between the edges.
   let within = saturate(1.5 - 1.5 * aside_m / max(edge_m, 0.1)) * smoothstep(-1.0, 1.5, past_m);
-  slope.x += 0.16 * strength * within * cos(k * past_m) * inverseSqrt(1.0 + k * behind_m / 6.2832) * wake_kept(k, pixel.x);
+  let spread = inverseSqrt(1.0 + k * behind_m / 6.2832);
+  slope.x += 0.16 * strength * within * cos(k * past_m) * spread * wake_kept(k, pixel.x);
   // Water that the hull has churned spreads slowly.
   let churned_m = 0.75 * half_m + 0.16 * sqrt(max(past_m, 0.0) * 6.0);
   let across = aside_m / (churned_m + pixel.y);

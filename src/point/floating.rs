@@ -35,6 +35,10 @@ pub struct HullPose {
     pub up: [f64; 3],
     /// Unit vector (x, y, z) in the world from the hull's centre towards its bow.
     pub forward: [f64; 3],
+    /// Mean slope of the water from the hull's port to its starboard, m/m.
+    pub water_roll: f64,
+    /// Height of the water at bow and stern over that at the middle, m.
+    pub water_sag_m: f64,
 }
 
 /// Half the length and half the width, m, of a hull's waterplane (its outline at the water surface).
@@ -89,18 +93,21 @@ impl HullWaves {
         &self.heave_waves
     }
 
-    /// Returns heave (m above still water), pitch and roll of a hull at time `t_s` (s). `bow` is the unit vector (x, z)
-    /// towards the bow. Pitch is the mean slope of the water from stern to bow, roll from port to starboard (both m/m).
-    fn heave_pitch_roll(&self, float: &FloatingObject, bow: [f64; 2], t_s: f64) -> [f64; 3] {
+    /// Returns heave (m above still water), pitch and roll of a hull at time `t_s` (s), and how much higher the water is at
+    /// bow and stern than in the middle (m). `bow` is the unit vector (x, z) towards the bow. Pitch is the mean slope of
+    /// the water from stern to bow, roll from port to starboard (both m/m).
+    fn heave_pitch_roll_sag(&self, float: &FloatingObject, bow: [f64; 2], t_s: f64) -> [f64; 4] {
         let [length, width] = half_length_and_width_m(float.kind);
         let height = |along: f64, across: f64| {
             let x = float.x_m + along * bow[0] - across * bow[1];
             let z = float.z_m + along * bow[1] + across * bow[0];
             self.tilt_waves.sample(x, z, t_s).height_m
         };
-        let pitch = (height(length, 0.0) - height(-length, 0.0)) / (2.0 * length);
+        let [at_bow, at_stern] = [height(length, 0.0), height(-length, 0.0)];
+        let pitch = (at_bow - at_stern) / (2.0 * length);
         let roll = (height(0.0, width) - height(0.0, -width)) / (2.0 * width);
-        [self.heave_waves.sample(float.x_m, float.z_m, t_s).height_m - self.still_water_level_m, pitch, roll]
+        let heave = self.heave_waves.sample(float.x_m, float.z_m, t_s).height_m - self.still_water_level_m;
+        [heave, pitch, roll, at_bow.midpoint(at_stern) - height(0.0, 0.0)]
     }
 }
 
@@ -123,17 +130,18 @@ pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &FloatingObject, t_s: f64, l
     };
     let (sin, cos) = f64::sin_cos(turn);
     let bow = [cos * upwind[0] - sin * upwind[1], cos * upwind[1] + sin * upwind[0]];
-    let mut sum = [level_m, 0.0, 0.0];
+    let mut sum = [level_m, 0.0, 0.0, 0.0];
     for (waves, amplitude) in seas {
-        let parts = waves.heave_pitch_roll(float, bow, t_s);
+        let parts = waves.heave_pitch_roll_sag(float, bow, t_s);
         sum.iter_mut().zip(parts).for_each(|(sum, part)| *sum += amplitude * part);
     }
-    let [height_m, pitch, roll] = sum;
+    let [height_m, pitch, roll, water_sag_m] = sum;
     let unit = |v: DVec3| v / v.length();
     let forward = unit(DVec3::new(bow[0], pitch, bow[1]));
     let starboard = unit(DVec3::new(-bow[1], roll - heel.tan(), bow[0]));
     let up = unit(starboard.cross(forward)).to_array();
-    HullPose { kind: float.kind, position_m: [float.x_m, height_m, float.z_m], up, forward: forward.to_array() }
+    let (position_m, forward) = ([float.x_m, height_m, float.z_m], forward.to_array());
+    HullPose { kind: float.kind, position_m, up, forward, water_roll: roll, water_sag_m }
 }
 
 #[cfg(test)]

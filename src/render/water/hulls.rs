@@ -202,11 +202,11 @@ impl HullAxes {
         }
     }
 
-    /// The axes of a hull without its heel.
+    /// The axes of a hull without its heel, so that x lies along the water.
     fn upright(pose: &HullPose, scene: &Scene) -> Self {
         let ahead = DVec3::from_array(pose.forward);
-        let starboard = ahead.cross(DVec3::Y).normalize_or(DVec3::X);
-        Self::new(&HullPose { up: starboard.cross(ahead).to_array(), ..*pose }, scene)
+        let starboard = ahead.cross(DVec3::Y).normalize_or(DVec3::X) + DVec3::Y * pose.water_roll;
+        Self::new(&HullPose { up: starboard.cross(ahead).normalize_or(DVec3::Y).to_array(), ..*pose }, scene)
     }
 
     fn vertex(&self, at: DVec3, direction: DVec3, [colour, detail]: [u32; 2]) -> HullVertex {
@@ -236,12 +236,13 @@ impl HullAxes {
 fn foam_vertices(pose: &HullPose, scene: &Scene) -> impl Iterator<Item = HullVertex> {
     let axes = HullAxes::upright(pose, scene);
     let starboard = DVec3::from_array(pose.forward).cross(DVec3::from_array(pose.up));
+    let heel_rad = -starboard.dot(axes.turn.y_axis).asin();
+    let sag_m = pose.water_sag_m;
     let speed_m_s = yacht_speed_m_s(scene.sea.wind_m_s);
     let drift_m = (speed_m_s * scene.t_s).rem_euclid(DRIFT_PERIOD_M);
-    yacht_foam(speed_m_s, -starboard.y.asin()).into_iter().map(
-        move |FoamCorner { at, pattern: [along_m, up, white] }| {
-            let pattern = [along_m - drift_m, up, white].map(|x| x as f32);
-            HullVertex { normal: pattern, ..axes.vertex(at, DVec3::Y, [FOAM_COLOUR, 0]) }
-        },
-    )
+    yacht_foam(speed_m_s, heel_rad).into_iter().map(move |FoamCorner { at, pattern: [along_m, up, white] }| {
+        let at = at + DVec3::Y * (sag_m * (at.z / 5.0).powi(2).min(1.5));
+        let pattern = [along_m - drift_m, up, white].map(|x| x as f32);
+        HullVertex { normal: pattern, ..axes.vertex(at, DVec3::Y, [FOAM_COLOUR, 0]) }
+    })
 }
