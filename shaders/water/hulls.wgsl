@@ -16,8 +16,8 @@ struct HullFragment {
   @location(1) normal: vec3f,
   // Linear RGB of the paint; alpha is the fraction of the sunlight that shines through a sail.
   @location(2) colour: vec4f,
-  // Place on a sail, along the chord and up, or 0.
-  @location(3) cloth: vec2f,
+  // Place on a sail, along the chord and up, or 0; then the fraction of the sunlight that a sail takes away.
+  @location(3) cloth: vec3f,
 }
 
 // A square approximates the sRGB curve well enough for paint.
@@ -38,7 +38,12 @@ fn vertex(@builtin(vertex_index) i: u32) -> HullFragment {
   let place = hull_place(hull.position);
   return HullFragment(
     frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, hull_paint(hull.colour),
-    unpack2x16unorm(hull.detail));
+    hull_cloth(hull.detail));
+}
+
+// Place on a sail, and shade, as hull_shapes.rs packs them.
+fn hull_cloth(detail: u32) -> vec3f {
+  return vec3f(vec3u(detail & 4095u, (detail >> 12u) & 4095u, detail >> 24u)) / vec3f(4095.0, 4095.0, 255.0);
 }
 
 // Whether the ray to a point relative to the eye leaves the lens under water.
@@ -65,12 +70,14 @@ const HULL_SKY_CONTRAST = 0.6;
 // Number of seams between the panels of a sail, from foot to head.
 const HULL_SEAMS = 11.0;
 // Half the width of a seam relative to the distance of two, and of the tape along the edges relative to the chord.
-const HULL_SEAM_HALF = 0.03;
-const HULL_TAPE = 0.025;
+const HULL_SEAM_HALF = 0.014;
+const HULL_TAPE = 0.02;
 // Fractions of light that a doubled cloth takes from what shines through it, and from what it reflects.
-const HULL_DOUBLED = vec2f(0.32, 0.06);
+const HULL_DOUBLED = vec2f(0.35, 0.05);
+// Fraction of the skylight that is hidden from a sail at its leading edge.
+const HULL_LUFF_SHADE = 0.3;
 // How much more light a sail lets through straight than to the side.
-const HULL_SAIL_GLOW = 0.7;
+const HULL_SAIL_GLOW = 1.2;
 
 // Fraction of a pixel of the width `pixel` that a line of half the width `half` covers, at the distance `off`.
 fn hull_line_cover(off: f32, half: f32, pixel: f32) -> f32 {
@@ -82,17 +89,21 @@ fn hull_doubled_cloth(cloth: vec2f, pixel: vec2f) -> f32 {
   let seam = abs(fract(cloth.y * HULL_SEAMS) - 0.5);
   let seams = hull_line_cover(seam, HULL_SEAM_HALF, max(pixel.y * HULL_SEAMS, 1e-4));
   let edge = min(cloth.x, 1.0 - cloth.x);
-  return max(seams, hull_line_cover(edge, HULL_TAPE, max(pixel.x, 1e-4)));
+  // Patches of several cloths strengthen the corners.
+  let corners = min(length(cloth * vec2f(1.0, 2.8)), min(
+    length(vec2f(1.0 - cloth.x, 2.8 * cloth.y)), 3.0 - 3.0 * cloth.y));
+  let patches = 0.5 * (1.0 - smoothstep(0.2, 0.24, corners)) + 0.3 * (1.0 - smoothstep(0.32, 0.36, corners));
+  return max(max(seams, patches), hull_line_cover(edge, HULL_TAPE, max(pixel.x, 1e-4)));
 }
 
 @fragment
 fn fragment(in: HullFragment) -> @location(0) vec4f {
   let distance_m = length(in.position);
   let dir = in.position / distance_m;
-  let pixel = fwidth(in.cloth);
+  let pixel = fwidth(in.cloth.xy);
   var paint = in.colour;
   if in.cloth.y > 0.0 {
-    let doubled = hull_doubled_cloth(in.cloth, pixel);
+    let doubled = hull_doubled_cloth(in.cloth.xy, pixel);
     paint *= 1.0 - doubled * vec4f(vec3f(HULL_DOUBLED.y), HULL_DOUBLED.x);
   }
   let through = in.colour.a;
@@ -107,16 +118,20 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(in.position.xz, 0.0);
   }
-  let sunlight = cloud_sun_irradiance();
+  let all_sunlight = cloud_sun_irradiance();
+  let sunlight = all_sunlight * (1.0 - in.cloth.z);
   let sun_cosine = dot(n, frame.sun_direction);
   let sun = sunlight * max(sun_cosine, 0.0);
-  let on_sea = light.sky_irradiance + sunlight * max(frame.sun_direction.y, 0.0);
+  let on_sea = light.sky_irradiance + all_sunlight * max(frame.sun_direction.y, 0.0);
   let facing_sun = dot(n.xz, normalize(frame.sun_direction.xz + vec2f(1e-6, 0.0)));
-  let from_sky = light.sky_irradiance * (up * (1.0 + HULL_SKY_CONTRAST * facing_sun));
+  // A sail also glows with the light of the sky behind it. Near its leading edge, mast and sails hide a part of the sky.
+  let contrast = HULL_SKY_CONTRAST * facing_sun * (1.0 - 2.0 * paint.a);
+  let hidden = select(0.0, HULL_LUFF_SHADE * exp(-5.0 * in.cloth.x), in.cloth.y > 0.0);
+  let from_sky = light.sky_irradiance * (up * (1.0 + contrast) * (1.0 - hidden));
   let around = from_sky + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
   let straight = pow(max(dot(dir, frame.sun_direction), 0.0), 12.0);
   let glow = 0.85 + HULL_SAIL_GLOW * straight;
-  let diffuse = sun * (1.0 - through) + sunlight * (max(-sun_cosine, 0.0) * paint.a * glow);
+  let diffuse = sun * (1.0 - through) + sunlight * (max(-sun_cosine, 0.0) * (0.6 - 0.4 * sun_cosine) * paint.a * glow);
   // A coat of clear lacquer reflects a little of the sky.
   let mirror = reflect(dir, n);
   let sheen = 0.04 + 0.96 * pow(saturate(1.0 + dot(dir, n)), 5.0);
@@ -136,14 +151,23 @@ struct HullLineFragment {
   @location(0) position: vec3f,
   @location(1) along: vec3f,
   @location(2) colour: vec3f,
-  // Distance from the middle, half the line's width, and the width of a pixel there, m.
+  // Distance from the middle, half the line's width, and the width of a pixel there, m; -1 for white water.
   @location(3) across: vec3f,
+}
+
+// Whether a vertex of the lines belongs to white water (FOAM_COLOUR in hulls.rs).
+fn hull_is_foam(colour: u32) -> bool {
+  return colour >= 0xff000000u;
 }
 
 @vertex
 fn line_vertex(@builtin(vertex_index) i: u32) -> HullLineFragment {
   let hull = hull_vertices[i];
   let place = hull_place(hull.position);
+  if hull_is_foam(hull.colour) {
+    return HullLineFragment(
+      frame.clip_from_relative * vec4f(place, 1.0), place, hull.normal, hull_paint(hull.colour).rgb, vec3f(-1.0));
+  }
   let signed_half = bitcast<f32>(hull.detail);
   let half = abs(signed_half);
   let pixel_m = frame.pixel_angle * max(dot(place, frame.forward), 0.1);
@@ -156,6 +180,36 @@ fn line_vertex(@builtin(vertex_index) i: u32) -> HullLineFragment {
     vec3f(sign(signed_half) * reach_m, half, pixel_m));
 }
 
+// Smooth noise, 0 to 1, of one cell a unit.
+fn hull_noise(at: vec2f) -> f32 {
+  let cell = floor(at);
+  let part = at - cell;
+  let share = part * part * (3.0 - 2.0 * part);
+  let i = vec2i(cell);
+  var corners: vec4f;
+  for (var k = 0; k < 4; k++) {
+    corners[k] = noise_pcg3d_unit(bitcast<vec3u>(vec3i(i + vec2i(k & 1, k >> 1u), 7))).x;
+  }
+  let rows = mix(corners.xz, corners.yw, share.x);
+  return mix(rows.x, rows.y, share.y);
+}
+
+// White water that a yacht throws up (yacht_foam.rs), whose crest is torn. `pattern` is FoamCorner::pattern.
+fn hull_foam(position: vec3f, pattern: vec3f, colour: vec3f) -> vec4f {
+  let distance_m = length(position);
+  let dir = position / distance_m;
+  let at = vec2f(pattern.x, pattern.y * 0.6);
+  let torn = 0.6 * hull_noise(at * 2.6) + 0.4 * hull_noise(at * vec2f(7.0, 9.0) + 31.0);
+  let thick = 1.3 * pattern.z - 0.6 * pattern.y * pattern.y - 0.1;
+  let opacity = smoothstep(0.0, 0.35, thick - 0.8 * torn) * saturate(3.0 * pattern.z);
+  // Thick foam is lit from all sides, from above most, and its hollows are darker.
+  let n = normalize(vec3f(-dir.x, 1.0, -dir.z));
+  let sun = cloud_sun_irradiance() * (0.35 + 0.55 * max(dot(n, frame.sun_direction), 0.0));
+  let surface = colour * (0.75 + 0.5 * torn) * (sun + 0.8 * light.sky_irradiance) / ATM_PI;
+  let air = air_to_point(dir, distance_m);
+  return vec4f(min(surface * air[1] + air[0], vec3f(6e4)) * opacity, opacity);
+}
+
 @fragment
 fn line_fragment(in: HullLineFragment) -> @location(0) vec4f {
   if HULL_DIVES {
@@ -165,6 +219,9 @@ fn line_fragment(in: HullLineFragment) -> @location(0) vec4f {
   }
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(in.position.xz, 0.0);
+  }
+  if in.across.z < 0.0 {
+    return hull_foam(in.position, in.along, in.colour);
   }
   // A thin cylinder shows its lit and its dark side at once; a wide one, like a near mast, shows them side by side.
   let l = frame.sun_direction;

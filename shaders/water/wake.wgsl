@@ -15,7 +15,7 @@ const WAKE_DARK_M = 0.6;
 const WAKE_REACH_M = 4.0;
 // Length of the drawn wake, m, and the time after which its foam has fallen to 1/e, s.
 const WAKE_LONGEST_M = 90.0;
-const WAKE_FOAM_S = 3.5;
+const WAKE_FOAM_S = 6.0;
 
 // Changes of the water at a point by floating objects: waves, roughness, foam and shade.
 struct Wake {
@@ -35,6 +35,18 @@ fn wake_kept(k: f32, pixel_m: f32) -> f32 {
   return exp(-min(phase * phase / 24.0, 40.0));
 }
 
+// Slope (astern, to the side) of the waves at the edge of the wake, where both systems of Kelvin's waves meet. They
+// begin `start_m` beside the middle line.
+fn wake_edge(k: f32, astern_m: f32, aside_m: f32, start_m: f32, pixel_m: f32) -> vec2f {
+  let edge_k = k / WAKE_EDGE_LENGTH;
+  let behind_m = max(astern_m, 0.0);
+  let off = (aside_m - start_m - WAKE_EDGE * behind_m) * edge_k * 0.32;
+  let near_edge = exp(-min(off * off, 40.0)) * inverseSqrt(1.0 + k * behind_m / 6.2832)
+    * smoothstep(-0.5, 0.5, astern_m);
+  let wave = cos(edge_k * dot(WAKE_EDGE_TRAVEL, vec2f(astern_m, aside_m - start_m)) - 0.6);
+  return (0.4 * near_edge * wave * wake_kept(edge_k, pixel_m)) * WAKE_EDGE_TRAVEL;
+}
+
 // Adds Kelvin's waves and the foam of a hull that makes way. `astern_m` counts from the bow, `aside_m` from the middle
 // line; the hull is `length_m` long and `half_m` wide to each side. The slope is
 // returned in (x, y): astern and to the side; (z) is the foam, and (w) the fraction of the roughness that is left.
@@ -44,26 +56,23 @@ fn wake_under_way(speed_m_s: f32, astern_m: f32, aside_m: f32, length_m: f32, ha
   let strength = min(speed_m_s * speed_m_s / 9.0, 1.0);
   let behind_m = max(astern_m, 0.0);
   let edge_m = 0.6 * half_m + WAKE_EDGE * behind_m;
-  let waves = 1.0 + k * behind_m / 6.2832;
-  // The edge, where both systems of waves meet.
-  let edge_k = k / WAKE_EDGE_LENGTH;
-  let off = (aside_m - edge_m) * edge_k * 0.32;
-  let near_edge = exp(-min(off * off, 40.0)) * inverseSqrt(waves) * smoothstep(-0.5, 0.5, astern_m);
-  let edge_wave = cos(edge_k * dot(WAKE_EDGE_TRAVEL, vec2f(astern_m, aside_m - 0.6 * half_m)) - 0.6);
-  var slope = (0.3 * strength * near_edge * edge_wave * wake_kept(edge_k, pixel.x)) * WAKE_EDGE_TRAVEL;
-  // Behind the stern, between the edges.
   let past_m = astern_m - length_m;
+  // Bow and stern each make waves that run away to the sides.
+  var slope = strength * (wake_edge(k, astern_m, aside_m, 0.6 * half_m, pixel.x)
+    + 0.7 * wake_edge(k, past_m, aside_m, 0.7 * half_m, pixel.x));
+  // Behind the stern, between the edges.
   let within = saturate(1.5 - 1.5 * aside_m / max(edge_m, 0.1)) * smoothstep(-1.0, 1.5, past_m);
-  slope.x += 0.16 * strength * within * cos(k * past_m) * inverseSqrt(waves) * wake_kept(k, pixel.x);
+  let spread = inverseSqrt(1.0 + k * behind_m / 6.2832);
+  slope.x += 0.16 * strength * within * cos(k * past_m) * spread * wake_kept(k, pixel.x);
   // Water that the hull has churned spreads slowly.
   let churned_m = 0.75 * half_m + 0.16 * sqrt(max(past_m, 0.0) * 6.0);
   let across = aside_m / (churned_m + pixel.y);
   let band = exp(-min(across * across * across * across, 40.0)) * smoothstep(-0.4, 0.4, past_m);
   let old = max(past_m, 0.0) / speed_m_s;
-  var foam = 0.5 * strength * band * exp(-old / WAKE_FOAM_S);
+  var foam = 0.6 * strength * band * exp(-old / WAKE_FOAM_S);
   // The bow wave breaks along the edge, beside the hull and a little behind it.
   let crest = (aside_m - edge_m - 0.1) / (0.28 + 0.05 * behind_m + pixel.y);
-  foam = max(foam, 0.95 * strength * exp(-min(crest * crest + behind_m / (1.2 * speed_m_s), 40.0))
+  foam = max(foam, 0.95 * strength * exp(-min(crest * crest + behind_m / (1.5 * speed_m_s), 40.0))
     * smoothstep(-0.6, 0.3, astern_m));
   return vec4f(slope, foam, 1.0 - 0.75 * strength * band * exp(-old / (8.0 * WAKE_FOAM_S)));
 }

@@ -18,10 +18,11 @@ const TILT_WAVE_COUNT: usize = 500;
 const MAX_FFT_SIZE_FOR_FLOATING_OBJECTS: u32 = 128;
 /// Angle between the wind and the bow of a close-hauled yacht. The wind comes from port.
 const CLOSE_HAULED_RAD: f64 = 45.0 * PI / 180.0;
-/// Heel of a close-hauled yacht in 10 m/s of wind; the wind's force on the sails grows with the square of its speed.
-const HEEL_AT_10_M_S_RAD: f64 = 20.0 * PI / 180.0;
-/// Largest heel: a crew reefs the sails before the yacht heels farther.
+/// Largest heel of a close-hauled yacht: its crew reefs the sails before it heels farther.
 const MAX_HEEL_RAD: f64 = 25.0 * PI / 180.0;
+/// Wind speed at which a yacht has heeled to 63 % of its largest heel, m/s, and the exponent of the wind speed.
+const HEEL_WIND_M_S: f64 = 7.0;
+const HEEL_EXPONENT: f64 = 1.7;
 
 /// Position and attitude of a floating hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +35,10 @@ pub struct HullPose {
     pub up: [f64; 3],
     /// Unit vector (x, y, z) in the world from the hull's centre towards its bow.
     pub forward: [f64; 3],
+    /// Mean slope of the water from the hull's port to its starboard, m/m.
+    pub water_roll: f64,
+    /// Height of the water at bow and stern over that at the middle, m.
+    pub water_sag_m: f64,
 }
 
 /// Half the length and half the width, m, of a hull's waterplane (its outline at the water surface).
@@ -88,19 +93,29 @@ impl HullWaves {
         &self.heave_waves
     }
 
-    /// Returns heave (m above still water), pitch and roll of a hull at time `t_s` (s). `bow` is the unit vector (x, z)
-    /// towards the bow. Pitch is the mean slope of the water from stern to bow, roll from port to starboard (both m/m).
-    fn heave_pitch_roll(&self, float: &FloatingObject, bow: [f64; 2], t_s: f64) -> [f64; 3] {
+    /// Returns heave (m above still water), pitch and roll of a hull at time `t_s` (s), and how much higher the water is at
+    /// bow and stern than in the middle (m). `bow` is the unit vector (x, z) towards the bow. Pitch is the mean slope of
+    /// the water from stern to bow, roll from port to starboard (both m/m).
+    fn heave_pitch_roll_sag(&self, float: &FloatingObject, bow: [f64; 2], t_s: f64) -> [f64; 4] {
         let [length, width] = half_length_and_width_m(float.kind);
         let height = |along: f64, across: f64| {
             let x = float.x_m + along * bow[0] - across * bow[1];
             let z = float.z_m + along * bow[1] + across * bow[0];
             self.tilt_waves.sample(x, z, t_s).height_m
         };
-        let pitch = (height(length, 0.0) - height(-length, 0.0)) / (2.0 * length);
+        let [at_bow, at_stern] = [height(length, 0.0), height(-length, 0.0)];
+        let pitch = (at_bow - at_stern) / (2.0 * length);
         let roll = (height(0.0, width) - height(0.0, -width)) / (2.0 * width);
-        [self.heave_waves.sample(float.x_m, float.z_m, t_s).height_m - self.still_water_level_m, pitch, roll]
+        let heave = self.heave_waves.sample(float.x_m, float.z_m, t_s).height_m - self.still_water_level_m;
+        [heave, pitch, roll, at_bow.midpoint(at_stern) - height(0.0, 0.0)]
     }
+}
+
+/// Heel of a close-hauled cruising yacht of 11 m. The force on the sails grows with the square of the wind speed, until the
+/// crew eases and reefs them. The curve is a fit to 8, 14, 18 and 21 degrees in 4, 6, 8 and 10 m/s of wind, within 1
+/// degree.
+fn heel_rad(wind_m_s: f64) -> f64 {
+    MAX_HEEL_RAD * (1.0 - (-(wind_m_s / HEEL_WIND_M_S).powf(HEEL_EXPONENT)).exp())
 }
 
 /// Position and attitude of the hull `float` at time `t_s` (s), with the still water at the height `level_m` (m).
@@ -111,29 +126,36 @@ pub fn hull_pose(seas: &[(&HullWaves, f64)], float: &FloatingObject, t_s: f64, l
     let (upwind, wind_m_s) = seas.last().map_or(([0.0, -1.0], 0.0), |(waves, _)| (waves.upwind, waves.wind_m_s));
     let (turn, heel) = match float.kind {
         FloatingObjectKind::Buoy | FloatingObjectKind::Boat => (0.0, 0.0),
-        FloatingObjectKind::Yacht => {
-            (CLOSE_HAULED_RAD, (HEEL_AT_10_M_S_RAD * (wind_m_s / 10.0).powi(2)).min(MAX_HEEL_RAD))
-        }
+        FloatingObjectKind::Yacht => (CLOSE_HAULED_RAD, heel_rad(wind_m_s)),
     };
     let (sin, cos) = f64::sin_cos(turn);
     let bow = [cos * upwind[0] - sin * upwind[1], cos * upwind[1] + sin * upwind[0]];
-    let mut sum = [level_m, 0.0, 0.0];
+    let mut sum = [level_m, 0.0, 0.0, 0.0];
     for (waves, amplitude) in seas {
-        let parts = waves.heave_pitch_roll(float, bow, t_s);
+        let parts = waves.heave_pitch_roll_sag(float, bow, t_s);
         sum.iter_mut().zip(parts).for_each(|(sum, part)| *sum += amplitude * part);
     }
-    let [height_m, pitch, roll] = sum;
+    let [height_m, pitch, roll, water_sag_m] = sum;
     let unit = |v: DVec3| v / v.length();
     let forward = unit(DVec3::new(bow[0], pitch, bow[1]));
     let starboard = unit(DVec3::new(-bow[1], roll - heel.tan(), bow[0]));
     let up = unit(starboard.cross(forward)).to_array();
-    HullPose { kind: float.kind, position_m: [float.x_m, height_m, float.z_m], up, forward: forward.to_array() }
+    let (position_m, forward) = ([float.x_m, height_m, float.z_m], forward.to_array());
+    HullPose { kind: float.kind, position_m, up, forward, water_roll: roll, water_sag_m }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::state::query;
+
+    #[test]
+    fn a_yacht_heels_as_cruising_yachts_do() {
+        for (wind_m_s, degrees) in [(0.0, 0.0), (4.0, 8.0), (6.0, 14.0), (8.0, 18.0), (10.0, 21.0), (30.0, 25.0)] {
+            let heel_deg = heel_rad(wind_m_s).to_degrees();
+            assert!((heel_deg - degrees).abs() < 1.0, "{wind_m_s} m/s: {heel_deg}");
+        }
+    }
 
     #[test]
     fn a_hull_lies_on_the_water() {

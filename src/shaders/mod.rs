@@ -190,6 +190,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
         "water/hulls",
         &[
             MATHS,
+            NOISE,
             PICTURE,
             part!("water/fresnel.wgsl"),
             part!("water/shadow_sun.wgsl"),

@@ -111,10 +111,10 @@ const YACHT: &[Section] = &[
 /// Angular frequency of ripples of 0.55 m, rad/s.
 const RIPPLE_RAD_S: f64 = 10.6;
 /// Distance after which the pattern of the foam in a wake starts anew, m.
-const DRIFT_PERIOD_M: f64 = 65_536.0;
+pub const DRIFT_PERIOD_M: f64 = 65_536.0;
 
 /// Speed through the water of a yacht of 11 m that sails close-hauled, m/s. Above some 3.3 m/s its own waves hold it.
-fn yacht_speed_m_s(wind_m_s: f64) -> f64 {
+pub fn yacht_speed_m_s(wind_m_s: f64) -> f64 {
     3.3 * (1.0 - (-wind_m_s / 5.0).exp())
 }
 
@@ -154,6 +154,9 @@ impl HullImage {
         for (section, &(height_m, [right, astern], [half_length_m, half_width_m], colour)) in
             image.sections.iter_mut().zip(shape)
         {
+            // A yacht that heels dips its wide side to leeward, so that its outline at the water is narrower and lies there.
+            let dips = if speed_m_s > 0.0 && height_m < 0.2 { -starboard.y } else { 0.0 };
+            let (right, half_width_m) = (right + 0.9 * dips, half_width_m - 0.6 * dips.abs());
             let off = starboard * right + up * height_m - forward * astern;
             radius_m = radius_m.max(off.x.hypot(off.z) + half_length_m);
             *section = HullSection {

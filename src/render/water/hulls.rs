@@ -1,7 +1,9 @@
 //! Floating buoys, boats and yachts (shaders/water/hulls.wgsl): a few small hulls, whose vertices the CPU transforms.
 
-use super::hull_shapes::{HullFacet, HullLine, boat_hull, buoy_hull};
-use super::yacht_shape::{yacht_hull, yacht_lines, yacht_mast};
+use super::hull_images::{DRIFT_PERIOD_M, yacht_speed_m_s};
+use super::hull_shapes::{HullFacet, HullLine, boat_hull, buoy_hull, in_shade, shade_of_triangle};
+use super::yacht_foam::{FoamCorner, yacht_foam};
+use super::yacht_shape::{sail_shades, yacht_hull, yacht_lines, yacht_mast};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
 use crate::gpu::layout::gpu_struct;
@@ -20,14 +22,20 @@ gpu_struct! {
     pub struct HullVertex as "HullVertex" {
         /// Position x and z relative to the point below the eye, and height y above the still water, m.
         position: [f32; 3],
-        /// Paint colour, as in `HullFacet`.
+        /// Paint colour, as in `HullFacet`; `FOAM_COLOUR` for white water.
         colour: u32,
-        /// Unit normal; for a line, the unit vector along it.
+        /// Unit normal; for a line, the unit vector along it; for white water, `FoamCorner::pattern`.
         normal: [f32; 3],
-        /// Place on a sail (`HullFacet::cloth`); for a line, the bits of half its width, m, negative on one side.
+        /// Place on a sail (`HullFacet::cloth`) and shade (`in_shade`); for a line, the bits of half its width, m,
+        /// negative on one side.
         detail: u32,
     }
 }
+
+/// Colour that tells white water from ropes and wires.
+const FOAM_COLOUR: u32 = 0xffe8_e8e8;
+/// Fraction of the sunlight that a sail takes from what lies in its shadow.
+const SAIL_SHADE: f64 = 0.8;
 
 /// What a variant of the pipelines of hulls can draw.
 #[derive(Clone, Copy, PartialEq)]
@@ -49,6 +57,8 @@ pub struct HullPass {
     /// Triangles of each kind of object, in the order of [`FloatingObjectKind::ALL`].
     hulls: [Vec<HullFacet>; FloatingObjectKind::ALL.len()],
     lines: Vec<HullLine>,
+    /// Sails that shade the yacht, and their colours.
+    sail_shades: [([DVec3; 3], u32); 2],
     /// Triangles of the mast, for pictures without lines.
     mast: Vec<HullFacet>,
     /// Numbers of vertices of the hulls and of the lines, which follow them in the buffer.
@@ -77,6 +87,7 @@ impl HullPass {
             vertices: None,
             hulls,
             lines: yacht_lines(),
+            sail_shades: sail_shades(),
             mast: yacht_mast(),
             vertex_count: 0,
             line_vertex_count: 0,
@@ -94,16 +105,31 @@ impl HullPass {
         let (mut vertices, mut lines) = (Vec::new(), Vec::new());
         for pose in poses {
             let axes = HullAxes::new(pose, scene);
-            vertices.extend(self.hulls[pose.kind as usize].iter().flat_map(|facet| axes.facet_vertices(facet)));
+            let yacht = pose.kind == FloatingObjectKind::Yacht;
+            let to_sun = axes.turn.transpose() * DVec3::from_array(scene.look.sky.sun_direction());
+            let shade = |facet: &HullFacet| {
+                let mut facet = *facet;
+                for (cloth, corner) in facet.cloth.iter_mut().zip(facet.corners).filter(|_| yacht) {
+                    let shade = |&(sail, colour)| {
+                        if facet.colour == colour { 0.0 } else { shade_of_triangle(sail, corner, to_sun) }
+                    };
+                    *cloth = in_shade(*cloth, SAIL_SHADE * self.sail_shades.iter().map(shade).fold(0.0, f64::max));
+                }
+                facet
+            };
+            let hull = self.hulls[pose.kind as usize].iter().map(shade);
+            vertices.extend(hull.flat_map(|facet| axes.facet_vertices(&facet)));
             // The samples of a reference picture cannot be blended, so it has the mast as a solid, and no ropes.
-            if pose.kind == FloatingObjectKind::Yacht && group.output == OutputKind::Reference {
+            if yacht && group.output == OutputKind::Reference {
                 vertices.extend(self.mast.iter().flat_map(|facet| axes.facet_vertices(facet)));
-            } else if pose.kind == FloatingObjectKind::Yacht {
+            } else if yacht {
+                lines.extend(foam_vertices(pose, scene));
                 lines.extend(self.lines.iter().flat_map(|line| axes.line_vertices(line)));
             }
         }
         let largest = self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
-        let largest = largest + (6 * self.lines.len()).max(3 * self.mast.len());
+        let foam = yacht_foam(4.0, 0.0).len();
+        let largest = largest + (6 * self.lines.len() + foam).max(3 * self.mast.len());
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
             let bytes = (MAX_FLOATING_OBJECTS * largest * size_of::<HullVertex>()) as u64;
             let buffer = gpu.storage_buffer("hulls", bytes);
@@ -176,6 +202,13 @@ impl HullAxes {
         }
     }
 
+    /// The axes of a hull without its heel, so that x lies along the water.
+    fn upright(pose: &HullPose, scene: &Scene) -> Self {
+        let ahead = DVec3::from_array(pose.forward);
+        let starboard = ahead.cross(DVec3::Y).normalize_or(DVec3::X) + DVec3::Y * pose.water_roll;
+        Self::new(&HullPose { up: starboard.cross(ahead).normalize_or(DVec3::Y).to_array(), ..*pose }, scene)
+    }
+
     fn vertex(&self, at: DVec3, direction: DVec3, [colour, detail]: [u32; 2]) -> HullVertex {
         HullVertex {
             position: (self.origin + self.turn * at).as_vec3().to_array(),
@@ -197,4 +230,19 @@ impl HullAxes {
             self.vertex(line.ends[end], along, [line.colour, half_width.to_bits()])
         })
     }
+}
+
+/// Triangles of the white water around a yacht, whose pattern moves astern.
+fn foam_vertices(pose: &HullPose, scene: &Scene) -> impl Iterator<Item = HullVertex> {
+    let axes = HullAxes::upright(pose, scene);
+    let starboard = DVec3::from_array(pose.forward).cross(DVec3::from_array(pose.up));
+    let heel_rad = -starboard.dot(axes.turn.y_axis).asin();
+    let sag_m = pose.water_sag_m;
+    let speed_m_s = yacht_speed_m_s(scene.sea.wind_m_s);
+    let drift_m = (speed_m_s * scene.t_s).rem_euclid(DRIFT_PERIOD_M);
+    yacht_foam(speed_m_s, heel_rad).into_iter().map(move |FoamCorner { at, pattern: [along_m, up, white] }| {
+        let at = at + DVec3::Y * (sag_m * (at.z / 5.0).powi(2).min(1.5));
+        let pattern = [along_m - drift_m, up, white].map(|x| x as f32);
+        HullVertex { normal: pattern, ..axes.vertex(at, DVec3::Y, [FOAM_COLOUR, 0]) }
+    })
 }

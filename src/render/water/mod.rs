@@ -11,4 +11,6 @@ pub mod material;
 pub mod mesh;
 pub mod noise;
 pub mod under;
+mod yacht_crew;
+mod yacht_foam;
 mod yacht_shape;

@@ -1,17 +1,21 @@
 //! The shape of the sailing yacht: a hull, a cabin, a crew of two, rigging, and two curved sails that let light through.
 
-use super::hull_shapes::{DARK_GREY, HullFacet, HullLine, RED, WHITE, WOOD, cloth_place, surface_of_revolution};
+use super::hull_shapes::{DARK_GREY, HullFacet, HullLine, WHITE, WOOD, cloth_place, surface_of_revolution};
+use super::yacht_crew::crew;
 use glam::DVec3;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-const NAVY: u32 = 0x0058_3418;
+pub const NAVY: u32 = 0x0058_3418;
 const DECK: u32 = 0x00b4_c8d4;
-/// White sailcloth, which lets a sixth of the sunlight through.
-const SAIL: u32 = 0x28e4_eef0;
+/// White sailcloth of mainsail and jib, which lets a quarter of the sunlight through. The colours differ invisibly, to
+/// tell the two sails apart.
+const SAILS: [u32; 2] = [0x40e0_ecf0, 0x40e0_ebf0];
+/// White paint just above the water line, which is wet and reflects less.
+const WET_WHITE: u32 = 0x00d0_d6d4;
+/// Weathered teak of the cockpit.
+const TEAK: u32 = 0x0068_8094;
 /// Dark red antifouling paint below the water line.
-const ANTIFOULING: u32 = 0x0028_2c70;
-const YELLOW: u32 = 0x0018_98d8;
-const SKIN: u32 = 0x0078_98c8;
+const ANTIFOULING: u32 = 0x0028_2a60;
 /// Distance of the mast's foot before the middle of the hull, m.
 const MAST_AHEAD_M: f64 = 0.85;
 /// Height of the top of the mast above the water, m.
@@ -21,14 +25,14 @@ const MAST_TOP_M: f64 = 15.0;
 /// height of the lowest point, m.
 const CROSS_SECTIONS: [[f64; 4]; 9] = [
     [-5.6, 0.02, 1.36, 0.6],
-    [-5.1, 0.32, 1.3, -0.2],
-    [-4.0, 0.88, 1.2, -0.5],
-    [-2.4, 1.42, 1.1, -0.72],
-    [-0.6, 1.7, 1.02, -0.8],
-    [1.4, 1.72, 0.98, -0.76],
-    [3.2, 1.56, 0.98, -0.58],
-    [4.6, 1.36, 1.0, -0.3],
-    [5.4, 1.22, 1.04, -0.05],
+    [-5.1, 0.32, 1.3, -0.15],
+    [-4.0, 0.88, 1.2, -0.38],
+    [-2.4, 1.42, 1.1, -0.54],
+    [-0.6, 1.7, 1.02, -0.6],
+    [1.4, 1.72, 0.98, -0.57],
+    [3.2, 1.56, 0.98, -0.42],
+    [4.6, 1.36, 1.0, -0.2],
+    [5.4, 1.22, 1.04, -0.04],
 ];
 
 /// Triangles, but for the mast, of a sailing yacht on the port tack: the wind comes from port ahead, and the sails stand to starboard.
@@ -36,6 +40,7 @@ pub fn yacht_hull() -> Vec<HullFacet> {
     let mut facets = Vec::new();
     hull_and_deck(&mut facets);
     cabin(&mut facets);
+    cockpit(&mut facets);
     crew(&mut facets);
     sails(&mut facets);
     facets
@@ -49,7 +54,7 @@ pub fn yacht_mast() -> Vec<HullFacet> {
 /// Adds the triangles of a sheet of points, rows of equal length, with normals that vary smoothly. They point to the
 /// side of `across x along`, with `across` from row to row and `along` within a row. `colour` gives the paint of the
 /// band between a row and the next, `cloth` the place on a sail of a row's point ([`HullFacet::cloth`]).
-fn smooth_sheet(
+pub fn smooth_sheet(
     facets: &mut Vec<HullFacet>,
     rows: &[Vec<DVec3>],
     colour: impl Fn(usize) -> u32,
@@ -72,10 +77,11 @@ fn smooth_sheet(
     }
 }
 
-/// Heights at which the antifouling ends and the white of the side begins, m; the line between them is dark blue.
-const SIDE_LEVELS_M: [f64; 2] = [0.02, 0.12];
+/// Heights at which the antifouling ends, the white of the side begins, and the white is dry, m; the line between the
+/// first two is dark blue.
+const SIDE_LEVELS_M: [f64; 3] = [-0.06, 0.06, 0.18];
 /// Paints of the bands of the hull's side, from the lowest point to the deck.
-const SIDE_PAINTS: [u32; 8] = [ANTIFOULING, ANTIFOULING, ANTIFOULING, NAVY, WHITE, WHITE, NAVY, WHITE];
+const SIDE_PAINTS: [u32; 9] = [ANTIFOULING, ANTIFOULING, ANTIFOULING, NAVY, WET_WHITE, WHITE, WHITE, NAVY, WHITE];
 
 fn hull_and_deck(facets: &mut Vec<HullFacet>) {
     for side in [-1.0, 1.0] {
@@ -107,15 +113,37 @@ fn side_point([z, half, deck, low]: [f64; 4], side: f64, row: usize) -> DVec3 {
         0 => low,
         1 => bottom(0.12),
         2 => bottom(0.5),
-        3 | 4 => SIDE_LEVELS_M[row - 3].max(low),
-        5 => SIDE_LEVELS_M[1].max(low).midpoint(deck - 0.2),
-        6 => deck - 0.2,
-        7 => deck - 0.12,
+        3..=5 => SIDE_LEVELS_M[row - 3].max(low),
+        6 => SIDE_LEVELS_M[2].max(low).midpoint(deck - 0.2),
+        7 => deck - 0.2,
+        8 => deck - 0.12,
         _ => deck,
     };
+    side_point_at([z, half, deck, low], side, y)
+}
+
+/// Point of the hull's side at a cross-section and at the height `y`, m.
+fn side_point_at([z, half, deck, low]: [f64; 4], side: f64, y: f64) -> DVec3 {
     let up = ((y - low) / (deck - low)).clamp(0.0, 1.0);
     let out = (FRAC_PI_2 * up.powf(0.6)).sin();
     DVec3::new(side * out * half, y, z)
+}
+
+/// The line from bow to stern along which calm water meets a side of the hull, which heels by `heel_rad` to starboard.
+/// Axes as those of the hull, but upright, m.
+pub fn water_line(side: f64, heel_rad: f64) -> Vec<DVec3> {
+    let (sin, cos) = heel_rad.sin_cos();
+    let upright = |p: DVec3| DVec3::new(p.x * cos + p.y * sin, p.y * cos - p.x * sin, p.z);
+    let meets = |section: [f64; 4]| {
+        let [_, _, deck, low] = section;
+        let (mut below, mut above) = (low, deck);
+        for _ in 0..12 {
+            let middle = below.midpoint(above);
+            if upright(side_point_at(section, side, middle)).y < 0.0 { below = middle } else { above = middle }
+        }
+        DVec3 { y: 0.0, ..upright(side_point_at(section, side, above)) }
+    };
+    CROSS_SECTIONS.iter().filter(|[.., low]| *low < 0.0).map(|&section| meets(section)).collect()
 }
 
 fn cabin(facets: &mut Vec<HullFacet>) {
@@ -139,20 +167,30 @@ fn cabin(facets: &mut Vec<HullFacet>) {
     smooth_sheet(facets, &[wall(-1.0), wall(1.0)], |_| WOOD, |_, _| 0);
 }
 
-/// The helmsman at the stern, and one of the crew who sits on the windward deck.
-fn crew(facets: &mut Vec<HullFacet>) {
-    for (jacket, at) in [(RED, DVec3::new(-0.5, 0.0, 3.7)), (YELLOW, DVec3::new(-1.1, -0.1, 2.3))] {
-        let figure = surface_of_revolution(&[
-            (0.24, 1.0, NAVY),
-            (0.25, 1.3, jacket),
-            (0.24, 1.62, jacket),
-            (0.16, 1.78, jacket),
-            (0.08, 1.84, SKIN),
-            (0.12, 1.92, SKIN),
-            (0.11, 2.04, WHITE),
-            (0.0, 2.12, WHITE),
-        ]);
-        facets.extend(moved(figure, at));
+/// The hood of canvas over the companionway, and the seats of the cockpit around a floor of teak.
+fn cockpit(facets: &mut Vec<HullFacet>) {
+    const ARCH: usize = 10;
+    let arch = |[z, half, high]: [f64; 3]| {
+        let point = |i: usize| {
+            let (sin, cos) = (PI * i as f64 / ARCH as f64).sin_cos();
+            DVec3::new(half * cos.signum() * cos.abs().sqrt(), 1.42 + high * sin.sqrt(), z)
+        };
+        (0..=ARCH).map(point).collect::<Vec<_>>()
+    };
+    let hood = [[0.5, 0.75, 0.02], [1.0, 0.86, 0.42], [1.5, 0.94, 0.58], [2.15, 0.95, 0.56]].map(arch);
+    smooth_sheet(facets, &hood, |row| if row == 0 { DARK_GREY } else { NAVY }, |_, _| 0);
+    // Seats and backrests on each side: half-width and height above the deck, from outside to the floor.
+    const ROWS: [(f64, f64, u32); 5] =
+        [(1.16, 0.0, WHITE), (1.1, 0.38, WHITE), (0.98, 0.38, WHITE), (0.92, 0.12, TEAK), (0.0, 0.12, TEAK)];
+    for side in [-1.0, 1.0] {
+        let rows = ROWS.map(|(half, up, _)| {
+            let mut row = [1.7, 3.2, 4.7].map(|z| DVec3::new(side * half * (1.05 - 0.02 * z), 0.99 + up, z)).to_vec();
+            if side < 0.0 {
+                row.reverse();
+            }
+            row
+        });
+        smooth_sheet(facets, &rows, |row| ROWS[row].2, |_, _| 0);
     }
 }
 
@@ -175,6 +213,15 @@ pub fn yacht_lines() -> Vec<HullLine> {
     line(mast(MAST_TOP_M), mast(MAST_TOP_M + 0.7), 0.008, DARK_GREY);
     // The mainsheet, from the boom to the cockpit.
     line(DVec3::new(0.85, 2.0, 2.6), DVec3::new(0.2, 1.05, 2.9), 0.02, WHITE);
+    // The wheel, and the rail around the stern.
+    let rim = |i: i32| {
+        let (sin, cos) = (TAU * f64::from(i) / 10.0).sin_cos();
+        DVec3::new(0.5 * cos, 1.62 + 0.5 * sin, 3.7)
+    };
+    (0..10).for_each(|i| line(rim(i), rim(i + 1), 0.016, DARK_GREY));
+    (0..5).for_each(|i| line(rim(i), rim(i + 5), 0.008, DARK_GREY));
+    line(DVec3::new(0.0, 1.05, 3.8), DVec3::new(0.0, 1.65, 3.75), 0.07, WHITE);
+    line(DVec3::new(-1.16, 1.64, 5.4), DVec3::new(1.16, 1.64, 5.4), 0.016, WHITE);
     for side in [-1.0, 1.0] {
         let chain_plate = DVec3::new(side * 1.66, 1.02, -0.6);
         let spreader = DVec3::new(side * 0.95, 7.6, -0.75);
@@ -189,6 +236,7 @@ pub fn yacht_lines() -> Vec<HullLine> {
         });
         for pair in posts.windows(2) {
             line(pair[0] + DVec3::Y * 0.6, pair[1] + DVec3::Y * 0.6, 0.006, WHITE);
+            line(pair[0] + DVec3::Y * 0.3, pair[1] + DVec3::Y * 0.3, 0.005, WHITE);
             line(pair[1], pair[1] + DVec3::Y * 0.6, 0.012, WHITE);
         }
         line(posts[0], posts[0] + DVec3::Y * 0.6, 0.016, WHITE);
@@ -213,37 +261,49 @@ struct Sail {
     camber: f64,
 }
 
-fn sails(facets: &mut Vec<HullFacet>) {
+/// Mainsail and jib.
+fn sail_plan() -> [Sail; 2] {
     let mast = |y: f64| DVec3::new(0.0, y, -MAST_AHEAD_M);
     // The mainsail runs in a groove at the back of the mast, so that the mast is seen from both sides, without a gap.
     let groove = DVec3::Z * 0.05;
     let main = Sail {
-        tack: mast(2.15) + groove,
+        tack: mast(2.3) + groove,
         head: mast(MAST_TOP_M - 0.4) + groove,
         foot_m: 4.4,
-        chord_exponent: 0.8,
-        angles_deg: [14.0, 30.0],
-        camber: 0.1,
+        chord_exponent: 0.72,
+        angles_deg: [12.0, 28.0],
+        camber: 0.12,
     };
     let jib = Sail {
         tack: DVec3::new(0.0, 1.5, -5.4),
         head: mast(13.2),
-        foot_m: 4.15,
-        chord_exponent: 1.0,
-        angles_deg: [13.0, 34.0],
-        camber: 0.14,
+        foot_m: 4.9,
+        chord_exponent: 1.04,
+        angles_deg: [12.0, 34.0],
+        camber: 0.16,
     };
-    for sail in [&main, &jib] {
+    [main, jib]
+}
+
+fn sails(facets: &mut Vec<HullFacet>) {
+    let plan = sail_plan();
+    for (sail, colour) in plan.iter().zip(SAILS) {
         const STEPS: usize = 12;
         let rows: Vec<Vec<DVec3>> = (0..=STEPS)
             .map(|row| (0..=STEPS).map(|i| sail.point(row as f64 / STEPS as f64, i as f64 / STEPS as f64)).collect())
             .collect();
         let place = |row, i| cloth_place([i as f64 / STEPS as f64, (0.5 + row as f64) / (STEPS as f64 + 1.0)]);
-        smooth_sheet(facets, &rows, |_| SAIL, place);
+        smooth_sheet(facets, &rows, |_| colour, place);
     }
     // The boom, along the foot of the mainsail.
-    let boom = [-0.14, 0.0].map(|down| [0.0, 1.05].map(|along| main.point(0.0, along) + DVec3::Y * down).to_vec());
+    let boom = [-0.14, 0.0].map(|down| [0.0, 1.05].map(|along| plan[0].point(0.0, along) + DVec3::Y * down).to_vec());
     smooth_sheet(facets, &boom, |_| DARK_GREY, |_, _| 0);
+}
+
+/// Triangles that stand for the mainsail and the jib where they shade other parts, with the colours of these sails.
+pub fn sail_shades() -> [([DVec3; 3], u32); 2] {
+    let [main, jib] = sail_plan().map(|sail| [sail.tack, sail.head, sail.point(0.0, 1.0)]);
+    [(main, SAILS[0]), (jib, SAILS[1])]
 }
 
 impl Sail {
@@ -253,7 +313,8 @@ impl Sail {
         let angle = (self.angles_deg[0] + up * (self.angles_deg[1] - self.angles_deg[0])).to_radians();
         let chord = DVec3::new(angle.sin(), 0.0, angle.cos());
         let leeward = DVec3::new(angle.cos(), 0.0, -angle.sin());
-        let depth = 4.0 * self.camber * chord_m * along * (1.0 - along);
+        // Deepest at 40 % of the chord, flatter towards the free edge.
+        let depth = 4.2 * self.camber * chord_m * along * (1.0 - along) * (1.35 - 0.8 * along);
         self.tack.lerp(self.head, up) + chord * (chord_m * along) + leeward * depth
     }
 }
@@ -277,7 +338,7 @@ mod tests {
 
     #[test]
     fn the_sails_stand_to_leeward_and_reach_the_mast() {
-        let sails: Vec<_> = yacht_hull().into_iter().filter(|f| f.colour == SAIL).collect();
+        let sails: Vec<_> = yacht_hull().into_iter().filter(|f| SAILS.contains(&f.colour)).collect();
         let corners = || sails.iter().flat_map(|f| f.corners);
         assert!(corners().all(|c| c.x > -1e-9 && c.y < MAST_TOP_M));
         let area_m2: f64 =

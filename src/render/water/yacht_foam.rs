@@ -1,0 +1,119 @@
+//! White water that a sailing yacht throws up: the curl of the bow wave, the foam along the water line, and the waves
+//! behind the stern. These are sheets that stand in the water, so that an eye near the water sees them; the foam that
+//! lies flat on the water is in shaders/water/wake.wgsl.
+
+use super::yacht_shape::water_line;
+use glam::DVec3;
+
+/// A corner of a sheet of white water. Axes: x to starboard, y up, z to the stern, without the heel of the yacht.
+#[derive(Clone, Copy)]
+pub struct FoamCorner {
+    pub at: DVec3,
+    /// Distance along the sheet, m; place between its foot (0) and its crest (1); fraction that is white at the crest.
+    pub pattern: [f64; 3],
+}
+
+/// Height below the water to which the sheets reach, so that no gap opens in a trough, m.
+const FOOT_M: f64 = -0.4;
+
+/// A sheet of white water: points of the water below its crest, with the height of the crest (m) and its whiteness.
+type Crest = Vec<(DVec3, f64, f64)>;
+
+/// Triangles of the white water around a yacht that heels by `heel_rad` to starboard and makes way.
+pub fn yacht_foam(speed_m_s: f64, heel_rad: f64) -> Vec<FoamCorner> {
+    // The height to which water rises that the stem stops.
+    let rise_m = speed_m_s * speed_m_s / (2.0 * 9.81);
+    let white = (speed_m_s / 2.6).powi(2).min(1.0);
+    let mut corners = Vec::new();
+    if white < 0.05 {
+        return corners;
+    }
+    for side in [-1.0, 1.0] {
+        // Leeward, the heeled hull presses down the water.
+        let press = if side * heel_rad > 0.0 { 1.0 } else { 0.75 };
+        let line = water_line(side, heel_rad);
+        let [stem, stern] = [line[0].z, line[line.len() - 1].z];
+        let beside = |z: f64| {
+            let i = line.partition_point(|p| p.z < z).clamp(1, line.len() - 1);
+            let share = ((z - line[i - 1].z) / (line[i].z - line[i - 1].z)).clamp(0.0, 1.0);
+            line[i - 1].lerp(line[i], share)
+        };
+        let bell = |z: f64, at: f64, width: f64| (-((z - at) / width).powi(2)).exp();
+        // Along the hull.
+        let crest = (0..=36).map(|i| {
+            let z = stem - 0.15 + f64::from(i) * (stern - stem) / 36.0;
+            let bow = bell(z, stem + 0.5, 0.5).max(0.8 * bell(z, stem + 1.1, 1.3));
+            let high = 1.15 * bow + 0.3 + 0.3 * bell(z, stern, 1.2);
+            let shown = 0.6 + 0.5 * bow + 0.2 * bell(z, stern, 1.5);
+            (beside(z) + DVec3::X * (side * 0.03), press * rise_m * high, white * press * shown)
+        });
+        sheet(&mut corners, &crest.collect(), side);
+        // The bow wave and the stern wave run away from the hull.
+        for (from, height, reach) in [(stem + 0.9, 0.9, 2.6), (stern - 0.1, 0.5, 3.2)] {
+            let start = beside(from);
+            let crest = (0..=14).map(|i| {
+                let behind_m = 0.5 * f64::from(i);
+                let fade = (-behind_m / reach).exp();
+                let at = start + DVec3::new(side * (0.02 + 0.4 * behind_m), 0.0, behind_m);
+                (at, press * rise_m * height * fade, white * press * fade.sqrt())
+            });
+            sheet(&mut corners, &crest.collect(), side);
+        }
+    }
+    wake(&mut corners, rise_m, white);
+    corners
+}
+
+/// Adds the water that the hull has churned: low crests across its track and along it, which the waves hide here and there.
+fn wake(corners: &mut Vec<FoamCorner>, rise_m: f64, white: f64) {
+    for (z, half, height, shown) in [(5.75, 1.1, 0.3, 0.85), (7.4, 1.3, 0.3, 0.6), (9.8, 1.6, 0.2, 0.45)] {
+        let crest = (0..=8).map(|i| {
+            let x = (f64::from(i) - 4.0) / 4.0;
+            (DVec3::new(x * half, 0.0, z), rise_m * height * (1.0 - 0.6 * x * x), white * shown)
+        });
+        let crest: Crest = crest.collect();
+        sheet(corners, &crest, 0.0);
+    }
+    for side in [-1.0, 0.0, 1.0] {
+        let crest = (0..=20).map(|i| {
+            let behind_m = 1.2 * f64::from(i);
+            let at = DVec3::new(side * (0.85 + 0.04 * behind_m), 0.0, 5.6 + behind_m);
+            (at, 0.25 * rise_m, white * 0.6 * (-behind_m / 12.0).exp())
+        });
+        sheet(corners, &crest.collect(), side);
+    }
+}
+
+/// Adds a sheet whose foot lies to the side of its crest, away from the hull, or astern of it (0).
+fn sheet(corners: &mut Vec<FoamCorner>, crest: &Crest, side: f64) {
+    let mut along_m = 0.0;
+    let mut rows = Vec::new();
+    for (i, &(at, high_m, white)) in crest.iter().enumerate() {
+        along_m += if i > 0 { (at - crest[i - 1].0).length() } else { 0.0 };
+        let outward = if side == 0.0 { DVec3::Z } else { DVec3::X * side };
+        let foot = at + outward * (0.2 + 0.8 * high_m) + DVec3::Y * FOOT_M;
+        rows.push(
+            [(foot, 0.0), (at + DVec3::Y * high_m, 1.0)]
+                .map(|(at, up)| FoamCorner { at, pattern: [along_m, up, white] }),
+        );
+    }
+    for pair in rows.windows(2) {
+        let [[a, b], [d, c]] = [pair[0], pair[1]];
+        corners.extend([a, b, c, a, c, d]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn white_water_needs_speed_and_stays_near_the_water() {
+        assert!(yacht_foam(0.5, 0.0).is_empty());
+        let foam = yacht_foam(3.0, 0.3);
+        assert!(foam.len() % 3 == 0 && foam.iter().all(|c| (-0.5..0.8).contains(&c.at.y)));
+        // The heeled hull lies deeper to leeward.
+        let widest = |side: f64| water_line(side, 0.3).iter().map(|p| side * p.x).fold(0.0, f64::max);
+        assert!(widest(1.0) > widest(-1.0) + 0.2, "{} {}", widest(1.0), widest(-1.0));
+    }
+}
