@@ -4,8 +4,8 @@
 // the water is this deep, m: all land (x), and all bed (y).
 const BED_SHORE_M = vec2f(0.8, 3.5);
 // Depth of the water, m, below which the edge of the swash is a line of foam, and the part of it that foam covers.
-const SHORE_LACE_M = 0.045;
-const SHORE_LACE_COVER = 0.62;
+const SHORE_LACE_M = 0.06;
+const SHORE_LACE_COVER = 0.75;
 // The sheet of water that runs up sand bears old foam behind that line: its part, and the depth up to which it does,
 // relative to the height of the run-up.
 const SHORE_SHEET_COVER = 0.30;
@@ -115,7 +115,10 @@ fn shore_add_lace(foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, size:
   if column < SHORE_SHEET_DEPTH * land.run_up_m {
     let run_up = max(shore_run_up_m(at), 1e-3);
     let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_LACE_RUN_UP_M);
-    let line = maths_smooth(2.0 - 2.0 * column / SHORE_LACE_M);
+    // The foam at the edge is a thin line in places and a broad front in others.
+    let fringe = land_noise(land_turned(land_place(at)), LAND_FINE_M, size);
+    let lace_m = SHORE_LACE_M * exp2(1.3 * fringe.z + 0.6 * fringe.w);
+    let line = maths_smooth(2.0 - 2.0 * column / lace_m);
     let sheet = SHORE_SHEET_COVER * maths_smooth(1.0 - column / (SHORE_SHEET_DEPTH * run_up));
     out = shore_more_foam(out, lively * max(SHORE_LACE_COVER * line, sheet), line);
   }
