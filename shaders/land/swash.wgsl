@@ -7,7 +7,7 @@ const LAND_WRACK_LINES_M = vec2f(0.10, 0.42);
 // Share of the sand under driftweed: broken strands along two lines. `above` is the height above the run-up.
 fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
   // Swash ends in curves, and each line is a few strands. A pixel averages what is narrower than it.
-  let bent = above + 0.10 * middle.z + 0.016 * fine.z + 0.007 * fine.w;
+  let bent = above + 0.06 * middle.z + 0.016 * fine.z + 0.007 * fine.w;
   let off = abs(vec2f(bent) - LAND_WRACK_LINES_M);
   let strand = abs(off - vec2f(0.035, 0.025));
   let least = vec2f(0.010, 0.007);
@@ -47,6 +47,8 @@ const SWASH_BODY_M = 0.02;
 const SWASH_STEP_M = 0.05;
 // Part of the sunlight that the body takes from what is behind it.
 const SWASH_SHADOW = 0.45;
+// Sunlight that comes through the body from behind, relative to that which falls on a plane towards the sun.
+const SWASH_GLOW = 0.16;
 // Stops of light between hollows and lumps of the body, for each deviation of their noise.
 const SWASH_LUMPS = 0.35;
 // Reciprocal of the standard deviation of the noise of lumps.
@@ -81,8 +83,8 @@ fn swash_layers(z: f32, edge: f32, unresolved: f32) -> vec2f {
 }
 
 // The foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_look.wgsl), with fewer
-// layers. `film` is the share of the ground under the film.
-fn swash_foam(at: vec2f, size: f32, film: f32) -> SwashFoam {
+// layers. `film` is the share of the ground under the film, `dir` the direction from the eye.
+fn swash_foam(at: vec2f, size: f32, film: f32, dir: vec3f) -> SwashFoam {
   let l = frame.sun_direction;
   var out = SwashFoam(0.0, max(l.y, 0.0), 1.0, 1.0);
   let cover = film * swash_cover(at, size);
@@ -112,7 +114,9 @@ fn swash_foam(at: vec2f, size: f32, film: f32) -> SwashFoam {
   let rise = (SWASH_BODY_M / step_m) * (before - layers.y + 0.25 * layers.y * lumps);
   let cosine = max(l.y - across * rise, 0.0) * inverseSqrt(1.0 + rise * rise);
   let grain = layers.y * SWASH_PER_DEVIATION * (strands.y + 0.6 * threads.y - 0.8);
-  out.lit = mix(out.lit, cosine, SWASH_FACING) * exp2(SWASH_LUMPS * grain);
+  let behind = max(dot(dir, l), 0.0);
+  let glow = SWASH_GLOW * behind * behind * saturate(8.0 * l.y);
+  out.lit = mix(out.lit, cosine, SWASH_FACING) * exp2(SWASH_LUMPS * grain) + glow;
   out.open = exp2(0.5 * SWASH_LUMPS * grain);
   out.beside = 1.0 - SWASH_SHADOW * saturate(before - layers.y);
   return out;

@@ -6,6 +6,8 @@ const BREAKER_LEVELS = 2u;
 // Largest push, relative to the height of the crest above the mean. Lee faces become 1.2 to 1.4 times as steep as
 // weather faces, as those of measured spilling breakers (tests/breaking.rs).
 const BREAKER_PUSH_PER_HEIGHT = 0.22;
+const BREAKER_SURF_PUSH = 6.0;
+const BREAKER_SURF_ROLLER = 0.35;
 // Excess at which the push is half of the largest, squared.
 const BREAKER_HALF_EXCESS_SQUARE = 2.0;
 // Thickness of a roller, relative to the height of its crest above the mean.
@@ -67,15 +69,16 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f) -> BreakerMotion {
   }
   let square = foam.value.x * foam.value.x;
   let over = 1.0 / (square + BREAKER_HALF_EXCESS_SQUARE);
-  let share = BREAKER_PUSH_PER_HEIGHT * square * over;
-  let share_change = (2.0 * BREAKER_PUSH_PER_HEIGHT * BREAKER_HALF_EXCESS_SQUARE) * foam.value.x * over * over;
+  let push = select(BREAKER_PUSH_PER_HEIGHT, BREAKER_SURF_PUSH, WATER_COAST);
+  let share = push * square * over;
+  let share_change = (2.0 * push * BREAKER_HALF_EXCESS_SQUARE) * foam.value.x * over * over;
   let change = share * slope + (share_change * height_m) * vec2f(foam.along_x.x, foam.along_z.x);
   let direction = unpack2x16snorm(frame.breaker_direction);
   let along = direction / max(frame.choppiness, vec2f(0.05));
   out.derivatives.stretch = along * change;
   out.derivatives.shear = along * change.yx;
   // The roller's thickness is proportional to the square of the front, so that its edge rises without a kink.
-  let roller = BREAKER_ROLLER_PER_HEIGHT * foam.value.y;
+  let roller = select(BREAKER_ROLLER_PER_HEIGHT, BREAKER_SURF_ROLLER, WATER_COAST) * foam.value.y;
   out.derivatives.slope =
     (roller * foam.value.y) * slope + (2.0 * roller * height_m) * vec2f(foam.along_x.y, foam.along_z.y);
   out.moved = vec3f(share * height_m * direction.x, roller * foam.value.y * height_m, share * height_m * direction.y);
