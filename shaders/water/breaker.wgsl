@@ -7,7 +7,7 @@ const BREAKER_LEVELS = 2u;
 // weather faces, as those of measured spilling breakers (tests/breaking.rs).
 const BREAKER_PUSH_PER_HEIGHT = 0.22;
 const BREAKER_SURF_PUSH = 6.0;
-const BREAKER_SURF_ROLLER = 0.35;
+const BREAKER_SURF_ROLLER = vec2f(0.12, 0.4);
 // Excess at which the push is half of the largest, squared.
 const BREAKER_HALF_EXCESS_SQUARE = 2.0;
 // Thickness of a roller, relative to the height of its crest above the mean.
@@ -48,6 +48,25 @@ fn breaker_state(at: vec2f) -> BreakerState {
   return out;
 }
 
+// Lengths of the billows of a roller in the surf, m, along two directions, and of the larger ones that bend their rows.
+const BREAKER_BILLOWS_M = vec4f(1.9, 1.5, 0.75, 0.6);
+const BREAKER_BENDS_M = vec4f(7.1, 5.3, 3.1, 4.1);
+
+// Height of the billows of a roller in the surf, 0 to 1 (x), and its derivatives along x and z, 1/m (yz): round heaps with
+// creases between, which lie where the coast lies. Their mean is 0.44.
+fn breaker_billows(at: vec2f) -> vec3f {
+  let p = frame.coast_uv_below_eye / frame.coast_inverse_side + at;
+  let along = vec4f(dot(p, vec2f(0.8, 0.6)), dot(p, vec2f(-0.6, 0.8)), dot(p, vec2f(0.98, -0.2)), dot(p, vec2f(0.2, 0.98)));
+  let bend = 2.0 * fract(along.yxwz / BREAKER_BENDS_M) - 1.0;
+  let off = 2.0 * fract((along - bend * bend) / BREAKER_BILLOWS_M) - 1.0;
+  let arcs = 1.0 - off * off;
+  let fall = -4.0 * off / BREAKER_BILLOWS_M;
+  let change = vec4f(0.6, 0.6, 0.4, 0.4) * arcs.yxwz * fall;
+  return vec3f(
+    0.6 * arcs.x * arcs.y + 0.4 * arcs.z * arcs.w,
+    dot(change, vec4f(0.8, -0.6, 0.98, 0.2)), dot(change, vec4f(0.6, 0.8, -0.2, 0.98)));
+}
+
 // How a breaking crest moves the water.
 struct BreakerMotion {
   // Displacement along x, y and z, m.
@@ -78,9 +97,16 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f) -> BreakerMotion {
   out.derivatives.stretch = along * change;
   out.derivatives.shear = along * change.yx;
   // The roller's thickness is proportional to the square of the front, so that its edge rises without a kink.
-  let roller = select(BREAKER_ROLLER_PER_HEIGHT, BREAKER_SURF_ROLLER, WATER_COAST) * foam.value.y;
-  out.derivatives.slope =
-    (roller * foam.value.y) * slope + (2.0 * roller * height_m) * vec2f(foam.along_x.y, foam.along_z.y);
-  out.moved = vec3f(share * height_m * direction.x, roller * foam.value.y * height_m, share * height_m * direction.y);
+  var roller = BREAKER_ROLLER_PER_HEIGHT;
+  var change_of_roller = vec2f(0.0);
+  if WATER_COAST && foam.value.y > 0.0 {
+    let billows = breaker_billows(at);
+    roller = BREAKER_SURF_ROLLER.x + BREAKER_SURF_ROLLER.y * billows.x;
+    change_of_roller = BREAKER_SURF_ROLLER.y * billows.yz;
+  }
+  let square_front = foam.value.y * foam.value.y;
+  out.derivatives.slope = roller * (square_front * slope
+    + (2.0 * foam.value.y * height_m) * vec2f(foam.along_x.y, foam.along_z.y)) + (square_front * height_m) * change_of_roller;
+  out.moved = vec3f(share * height_m * direction.x, roller * square_front * height_m, share * height_m * direction.y);
   return out;
 }

@@ -22,7 +22,7 @@ fn displace_arcs(x: vec3f) -> vec3f {
 // tongues, which are round ahead and meet in cusps. Waves of the maps are too long to shape them.
 fn displace_lobes_m(at: vec2f, spacing: f32) -> f32 {
   let gains = coast_at(at);
-  let share = gains.z * maths_smooth(1.5 - 2.0 * gains.x) * maths_smooth(2.0 - spacing);
+  let share = gains.z * maths_smooth(1.3 - 2.0 * gains.x) * maths_smooth(2.0 - spacing);
   if share * gains.w <= 0.0 {
     return 0.0;
   }
