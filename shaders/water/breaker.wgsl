@@ -7,6 +7,7 @@ const BREAKER_LEVELS = 2u;
 // weather faces, as those of measured spilling breakers (tests/breaking.rs).
 const BREAKER_PUSH_PER_HEIGHT = 0.22;
 const BREAKER_SURF_PUSH = 6.0;
+const BREAKER_SURF_GAIN = 2.5;
 const BREAKER_SURF_ROLLER = vec2f(0.12, 0.4);
 // Excess at which the push is half of the largest, squared.
 const BREAKER_HALF_EXCESS_SQUARE = 2.0;
@@ -88,7 +89,12 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f) -> BreakerMotion {
   }
   let square = foam.value.x * foam.value.x;
   let over = 1.0 / (square + BREAKER_HALF_EXCESS_SQUARE);
-  let push = select(BREAKER_PUSH_PER_HEIGHT, BREAKER_SURF_PUSH, WATER_COAST);
+  // Where only a sheet of water runs up the beach, short waves have ended, and nothing leans or rolls.
+  var surf = 0.0;
+  if WATER_COAST {
+    surf = maths_smooth(BREAKER_SURF_GAIN * coast_at(at).x);
+  }
+  let push = mix(BREAKER_PUSH_PER_HEIGHT, BREAKER_SURF_PUSH, surf);
   let share = push * square * over;
   let share_change = (2.0 * push * BREAKER_HALF_EXCESS_SQUARE) * foam.value.x * over * over;
   let change = share * slope + (share_change * height_m) * vec2f(foam.along_x.x, foam.along_z.x);
@@ -99,10 +105,10 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f) -> BreakerMotion {
   // The roller's thickness is proportional to the square of the front, so that its edge rises without a kink.
   var roller = BREAKER_ROLLER_PER_HEIGHT;
   var change_of_roller = vec2f(0.0);
-  if WATER_COAST && foam.value.y > 0.0 {
+  if surf * foam.value.y > 0.0 {
     let billows = breaker_billows(at);
-    roller = BREAKER_SURF_ROLLER.x + BREAKER_SURF_ROLLER.y * billows.x;
-    change_of_roller = BREAKER_SURF_ROLLER.y * billows.yz;
+    roller = mix(roller, BREAKER_SURF_ROLLER.x + BREAKER_SURF_ROLLER.y * billows.x, surf);
+    change_of_roller = surf * BREAKER_SURF_ROLLER.y * billows.yz;
   }
   let square_front = foam.value.y * foam.value.y;
   out.derivatives.slope = roller * (square_front * slope
