@@ -6,9 +6,9 @@ const BREAKER_LEVELS = 2u;
 // Largest push, relative to the height of the crest above the mean. Lee faces become 1.2 to 1.4 times as steep as
 // weather faces, as those of measured spilling breakers (tests/breaking.rs).
 const BREAKER_PUSH_PER_HEIGHT = 0.22;
-const BREAKER_SURF_PUSH = 6.0;
+const BREAKER_SURF_PUSH = 4.5;
 const BREAKER_SURF_GAIN = 2.5;
-const BREAKER_SURF_ROLLER = vec2f(0.12, 0.4);
+const BREAKER_SURF_ROLLER = vec2f(0.18, 0.22);
 // Excess at which the push is half of the largest, squared.
 const BREAKER_HALF_EXCESS_SQUARE = 2.0;
 // Thickness of a roller, relative to the height of its crest above the mean.
@@ -50,8 +50,8 @@ fn breaker_state(at: vec2f) -> BreakerState {
 }
 
 // Lengths of the billows of a roller in the surf, m, along two directions, and of the larger ones that bend their rows.
-const BREAKER_BILLOWS_M = vec4f(1.9, 1.5, 0.75, 0.6);
-const BREAKER_BENDS_M = vec4f(7.1, 5.3, 3.1, 4.1);
+const BREAKER_BILLOWS_M = vec4f(1.3, 1.0, 0.5, 0.41);
+const BREAKER_BENDS_M = vec4f(3.7, 4.3, 1.9, 2.3);
 
 // Height of the billows of a roller in the surf, 0 to 1 (x), and its derivatives along x and z, 1/m (yz): round heaps with
 // creases between, which lie where the coast lies. Their mean is 0.44.
@@ -59,7 +59,7 @@ fn breaker_billows(at: vec2f) -> vec3f {
   let p = frame.coast_uv_below_eye / frame.coast_inverse_side + at;
   let along = vec4f(dot(p, vec2f(0.8, 0.6)), dot(p, vec2f(-0.6, 0.8)), dot(p, vec2f(0.98, -0.2)), dot(p, vec2f(0.2, 0.98)));
   let bend = 2.0 * fract(along.yxwz / BREAKER_BENDS_M) - 1.0;
-  let off = 2.0 * fract((along - bend * bend) / BREAKER_BILLOWS_M) - 1.0;
+  let off = 2.0 * fract((along - 0.6 * bend * bend) / BREAKER_BILLOWS_M) - 1.0;
   let arcs = 1.0 - off * off;
   let fall = -4.0 * off / BREAKER_BILLOWS_M;
   let change = vec4f(0.6, 0.6, 0.4, 0.4) * arcs.yxwz * fall;

@@ -4,7 +4,7 @@
 @group(0) @binding(1) var<storage, read_write> mesh_vertices: array<MeshVertex>;
 
 // Height of the lobes in which water runs up the land, relative to the run-up, and the longest run-up that counts, m.
-const DISPLACE_LOBES = 0.36;
+const DISPLACE_LOBES = 0.42;
 const DISPLACE_LOBES_RUN_UP_M = 1.5;
 // Lengths of the lobes along the edge of the water, m, their shares, and how much longer they are across it.
 const DISPLACE_LOBES_M = vec3f(13.7, 5.9, 2.3);
@@ -22,7 +22,7 @@ fn displace_arcs(x: vec3f) -> vec3f {
 // tongues, which are round ahead and meet in cusps. Waves of the maps are too long to shape them.
 fn displace_lobes_m(at: vec2f, spacing: f32) -> f32 {
   let gains = coast_at(at);
-  let share = gains.z * maths_smooth(1.3 - 2.0 * gains.x) * maths_smooth(2.0 - spacing);
+  let share = gains.z * maths_smooth(1.1 - 2.6 * gains.x) * maths_smooth(2.0 - spacing);
   if share * gains.w <= 0.0 {
     return 0.0;
   }

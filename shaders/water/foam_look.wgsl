@@ -179,7 +179,11 @@ fn foam_grain_skew(kept: vec2f, turn: f32) -> f32 {
 // Appearance of foam in a pixel.
 fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> FoamAppearance {
   let has_detail = pixel.length_m > FOAM_FINEST_DETAIL_M;
-  let lods = foam_lods(pixel, has_detail);
+  var lods = foam_lods(pixel, has_detail);
+  if WATER_COAST {
+    lods.layers -= vec4f(1.5 * amount.fresh);
+    lods.billow -= 1.5 * amount.fresh;
+  }
   var kept = material_variance_left(lods.layers);
   let billows = MATERIAL_VARIANCE_STEEPNESS.y * (lods.billow - MATERIAL_HALF_VARIANCE_LOD.y);
   kept.y = mix(kept.y, 1.0 / (1.0 + exp2(billows)), amount.fresh);

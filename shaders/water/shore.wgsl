@@ -4,7 +4,7 @@
 // the water is this deep, m: all land (x), and all bed (y).
 const BED_SHORE_M = vec2f(0.8, 3.5);
 // Depth of the water, m, below which the edge of the swash is a line of foam, and the part of it that foam covers.
-const SHORE_LACE_M = 0.06;
+const SHORE_LACE_M = 0.1;
 const SHORE_LACE_COVER = 0.75;
 // The sheet of water that runs up sand bears old foam behind that line: its part, and the depth up to which it does,
 // relative to the height of the run-up.
