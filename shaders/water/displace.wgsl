@@ -4,11 +4,11 @@
 @group(0) @binding(1) var<storage, read_write> mesh_vertices: array<MeshVertex>;
 
 // Height of the lobes in which water runs up the land, relative to the run-up, and the longest run-up that counts, m.
-const DISPLACE_LOBES = 0.42;
+const DISPLACE_LOBES = 0.33;
 const DISPLACE_LOBES_RUN_UP_M = 1.5;
 // Lengths of the lobes along the edge of the water, m, their shares, and how much longer they are across it.
-const DISPLACE_LOBES_M = vec3f(13.7, 5.9, 2.3);
-const DISPLACE_LOBE_SHARES = vec3f(0.44, 0.36, 0.2);
+const DISPLACE_LOBES_M = vec3f(12.7, 5.3, 2.1);
+const DISPLACE_LOBE_SHARES = vec3f(0.28, 0.42, 0.3);
 const DISPLACE_LOBE_STRETCH = 2.2;
 
 // Rows of arcs, 0 to 1 high, that meet in cusps: at whole numbers.
