@@ -6,7 +6,7 @@ const BREAKER_LEVELS = 2u;
 // Largest push, relative to the height of the crest above the mean. Lee faces become 1.2 to 1.4 times as steep as
 // weather faces, as those of measured spilling breakers (tests/breaking.rs).
 const BREAKER_PUSH_PER_HEIGHT = 0.22;
-const BREAKER_SURF_PUSH = 4.5;
+const BREAKER_SURF_PUSH = vec2f(4.2, 0.6);
 const BREAKER_SURF_GAIN = 2.5;
 const BREAKER_SURF_ROLLER = vec2f(0.18, 0.22);
 // Excess at which the push is half of the largest, squared.
@@ -88,15 +88,16 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f) -> BreakerMotion {
     return out;
   }
   let square = foam.value.x * foam.value.x;
-  let over = 1.0 / (square + BREAKER_HALF_EXCESS_SQUARE);
   // Where only a sheet of water runs up the beach, short waves have ended, and nothing leans or rolls.
   var surf = 0.0;
   if WATER_COAST {
     surf = maths_smooth(BREAKER_SURF_GAIN * coast_at(at).x);
   }
-  let push = mix(BREAKER_PUSH_PER_HEIGHT, BREAKER_SURF_PUSH, surf);
+  let push = mix(BREAKER_PUSH_PER_HEIGHT, BREAKER_SURF_PUSH.x, surf);
+  let half_square = mix(BREAKER_HALF_EXCESS_SQUARE, BREAKER_SURF_PUSH.y, surf);
+  let over = 1.0 / (square + half_square);
   let share = push * square * over;
-  let share_change = (2.0 * push * BREAKER_HALF_EXCESS_SQUARE) * foam.value.x * over * over;
+  let share_change = (2.0 * push * half_square) * foam.value.x * over * over;
   let change = share * slope + (share_change * height_m) * vec2f(foam.along_x.x, foam.along_z.x);
   let direction = unpack2x16snorm(frame.breaker_direction);
   let along = direction / max(frame.choppiness, vec2f(0.05));
