@@ -37,7 +37,8 @@ fn land_swash_marks(height: f32, run_up: f32, middle: vec4f, fine: vec4f, size: 
 const SWASH_SOFTNESS = vec2f(0.4, 0.25);
 const SWASH_SHIFT = vec2f(0.15, -0.35);
 const SWASH_OPACITY = vec2f(0.36, 0.56);
-// Weights of patches of metres, strands of decimetres and threads of centimetres in the pattern; their squares add up to 1.
+// Weights of patches of metres, strands of decimetres and threads of centimetres in the pattern. Their squares add up
+// to 1.
 const SWASH_WEIGHTS = vec3f(0.5, 0.77, 0.396);
 // Albedo of foam, and how much of the sunlight its slopes shade; light that spreads inside evens out the rest.
 const SWASH_ALBEDO = 0.6;
@@ -82,8 +83,8 @@ fn swash_layers(z: f32, edge: f32, unresolved: f32) -> vec2f {
   return vec2f(maths_normal_cdf(at.x), maths_normal_cdf(at.y));
 }
 
-// The foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_look.wgsl), with fewer
-// layers. `film` is the share of the ground under the film, `dir` the direction from the eye.
+// The foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_look.wgsl), with
+// fewer layers. `film` is the share of the ground under the film, `dir` the direction from the eye.
 fn swash_foam(at: vec2f, size: f32, film: f32, dir: vec3f) -> SwashFoam {
   let l = frame.sun_direction;
   var out = SwashFoam(0.0, max(l.y, 0.0), 1.0, 1.0);

@@ -3,7 +3,7 @@
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read_write> mesh_vertices: array<MeshVertex>;
 
-// Height of the lobes in which water runs up the land, relative to the run-up, and the longest run-up that counts, m.
+// Height of the lobes in which water runs up the land, relative to the run-up, and the highest run-up that counts, m.
 const DISPLACE_LOBES = 0.33;
 const DISPLACE_LOBES_RUN_UP_M = 1.5;
 // Lengths of the lobes along the edge of the water, m, their shares, and how much longer they are across it.
@@ -11,15 +11,16 @@ const DISPLACE_LOBES_M = vec3f(12.7, 5.3, 2.1);
 const DISPLACE_LOBE_SHARES = vec3f(0.28, 0.42, 0.3);
 const DISPLACE_LOBE_STRETCH = 2.2;
 
-// Rows of arcs, 0 to 1 high, that meet in cusps: at whole numbers.
+// Rows of arcs, 0 to 1 high, that meet in cusps at whole numbers.
 fn displace_arcs(x: vec3f) -> vec3f {
   let off = 2.0 * fract(x) - 1.0;
   return 1.0 - off * off;
 }
 
-// Height, m, that the lobes of the swash add to the water at a position relative to the point below the eye, m. They lie
-// where the water is so shallow that only the waves at a coast are left: the edge of water that runs up a beach is a row of
-// tongues, which are round ahead and meet in cusps. Waves of the maps are too long to shape them.
+// Height, m, that the lobes of the swash add to the water at a position relative to the point below the eye, m, where
+// vertices are `spacing` metres apart. The edge of water that runs up a beach is a row of tongues, which are round ahead
+// and meet in cusps; the waves of the maps are too long to shape them. Lobes lie where the water is so shallow that
+// short waves have ended.
 fn displace_lobes_m(at: vec2f, spacing: f32) -> f32 {
   let gains = coast_at(at);
   let share = gains.z * maths_smooth(1.1 - 2.6 * gains.x) * maths_smooth(2.0 - spacing);

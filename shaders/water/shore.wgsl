@@ -3,12 +3,13 @@
 // The albedo of the ground near the shore goes over into that of the land, which has neither seagrass nor reefs, where
 // the water is this deep, m: all land (x), and all bed (y).
 const BED_SHORE_M = vec2f(0.8, 3.5);
-// Width, m, of the line of foam at the edge of the swash, and the part of it that foam covers. The edge is where the water
-// ends by its slope and that of the ground, at least SHORE_LEAST_FALL apart.
+// Width, m, of the line of foam at the edge of the swash, and the least difference between the slopes of the water and
+// of the ground from which the distance of that edge is computed.
 const SHORE_LACE_M = 0.9;
 const SHORE_LEAST_FALL = 0.03;
+// Part of that line that foam covers.
 const SHORE_LACE_COVER = 0.75;
-// Part of the rim, the first third of that line, that foam covers, and how much of it is as thick as that of a breaker.
+// Part of the rim, the first third of the line, that foam covers, and how much of it is as thick as that of a breaker.
 const SHORE_RIM_COVER = 0.93;
 const SHORE_RIM_FRONT = 0.7;
 // The sheet of water that runs up sand bears old foam behind that line: its part, and the depth up to which it does,
@@ -88,12 +89,13 @@ fn shore_hardness(ground: vec4f, place: vec2f, size: f32) -> f32 {
   return max(built, land_rock_share(SHORE_CLIFF_SLOPES * length(around.yz)));
 }
 
-// Foam of a pixel with `cover` more of it, whose youth is `young` and of which the part `fresh` is a front. It lies beside
-// that of breakers as often as on it.
+// Foam of a pixel with `cover` more of it, whose youth is `young` and of which the part `fresh` is a front. It lies
+// beside that of breakers as often as on it.
 fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> FoamAmount {
   let all = foam.cover + (1.0 - foam.cover) * cover;
   let old = foam.cover / max(all, 1e-4);
-  return FoamAmount(all, mix(fresh, foam.fresh, old), max(foam.plume, SHORE_PLUME * cover), mix(young, foam.young, old));
+  let plume = max(foam.plume, SHORE_PLUME * cover);
+  return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
 }
 
 // The foam of a pixel, with the collar around stone whose share is `hard`. `ground`, `at` and `height` have the meaning
