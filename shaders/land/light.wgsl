@@ -168,8 +168,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, ground.film);
-    let foam = swash_foam(position.xz, size, ground.film);
-    radiance = mix(radiance, SWASH_ALBEDO / ATM_PI * (sunlight * max(l.y, 0.0) + sky_light), foam);
+    let foam = swash_foam(position.xz, size, ground.film, dir);
+    let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light);
+    radiance = mix(foam.beside * radiance, white, foam.opacity);
   }
   let air = air_to_point(dir, distance_m);
   return frame_hdr_output(radiance * air[1] + air[0], 1.0 / distance_m);

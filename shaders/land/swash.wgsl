@@ -7,7 +7,7 @@ const LAND_WRACK_LINES_M = vec2f(0.10, 0.42);
 // Share of the sand under driftweed: broken strands along two lines. `above` is the height above the run-up.
 fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
   // Swash ends in curves, and each line is a few strands. A pixel averages what is narrower than it.
-  let bent = above + 0.10 * middle.z + 0.016 * fine.z + 0.007 * fine.w;
+  let bent = above + 0.06 * middle.z + 0.016 * fine.z + 0.007 * fine.w;
   let off = abs(vec2f(bent) - LAND_WRACK_LINES_M);
   let strand = abs(off - vec2f(0.035, 0.025));
   let least = vec2f(0.010, 0.007);
@@ -32,13 +32,28 @@ fn land_swash_marks(height: f32, run_up: f32, middle: vec4f, fine: vec4f, size: 
   return dot(lines, saturate(vec2f(0.35) + vec2f(0.5, -0.45) * middle.wz + 0.3 * fine.w));
 }
 
-// Softness of the edges of the lace of foam, in deviations of its pattern, and its opacity.
-const SWASH_SOFTNESS = 0.4;
-const SWASH_OPACITY = 0.62;
-// Weights of patches of metres and of strands of decimetres in the pattern; their squares add up to 1.
-const SWASH_WEIGHTS = vec2f(0.6, 0.8);
-// Albedo of old foam.
-const SWASH_ALBEDO = 0.55;
+// Softness of the edges of the film of foam (x), deviations of its pattern, and of the body that lies on its thickest
+// parts (y), how much more the pattern must rise for the body, and the opacity of both.
+const SWASH_SOFTNESS = vec2f(0.4, 0.25);
+const SWASH_SHIFT = vec2f(0.15, -0.35);
+const SWASH_OPACITY = vec2f(0.36, 0.56);
+// Weights of patches of metres, strands of decimetres and threads of centimetres in the pattern. Their squares add up
+// to 1.
+const SWASH_WEIGHTS = vec3f(0.5, 0.77, 0.396);
+// Albedo of foam, and how much of the sunlight its slopes shade; light that spreads inside evens out the rest.
+const SWASH_ALBEDO = 0.6;
+const SWASH_FACING = 0.6;
+// Height of the body, m, from which follow its slopes and the length of its shadow, and the shortest of both, m.
+const SWASH_BODY_M = 0.02;
+const SWASH_STEP_M = 0.05;
+// Part of the sunlight that the body takes from what is behind it.
+const SWASH_SHADOW = 0.45;
+// Sunlight that comes through the body from behind, relative to that which falls on a plane towards the sun.
+const SWASH_GLOW = 0.16;
+// Stops of light between hollows and lumps of the body, for each deviation of their noise.
+const SWASH_LUMPS = 0.35;
+// Reciprocal of the standard deviation of the noise of lumps.
+const SWASH_PER_DEVIATION = 6.08;
 
 // Part of the water that foam covers at a point (x, z) relative to the one below the eye, by the finest level of the map
 // that holds it, over texels of `size` metres.
@@ -50,20 +65,60 @@ fn swash_cover(at: vec2f, size: f32) -> f32 {
   return min(foam_cell(level, at).x * frame.foam_amount, 1.0);
 }
 
-// Opacity of the foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_look.wgsl),
-// with fewer layers. `film` is the share of the ground under the film.
-fn swash_foam(at: vec2f, size: f32, film: f32) -> f32 {
+// Foam on a film of water.
+struct SwashFoam {
+  opacity: f32,
+  // Irradiance by the sun, relative to that of a plane towards it.
+  lit: f32,
+  // Light of the sky, relative to that of level ground.
+  open: f32,
+  // Part of the sunlight that reaches what is beside the foam.
+  beside: f32,
+}
+
+// Film (x) and body (y) of foam where its pattern has the value `z`.
+fn swash_layers(z: f32, edge: f32, unresolved: f32) -> vec2f {
+  let square = SWASH_SOFTNESS * SWASH_SOFTNESS;
+  let at = (vec2f(z) + sqrt(1.0 + square) * (edge + SWASH_SHIFT)) * inverseSqrt(square + unresolved);
+  return vec2f(maths_normal_cdf(at.x), maths_normal_cdf(at.y));
+}
+
+// The foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_look.wgsl), with
+// fewer layers. `film` is the share of the ground under the film, `dir` the direction from the eye.
+fn swash_foam(at: vec2f, size: f32, film: f32, dir: vec3f) -> SwashFoam {
+  let l = frame.sun_direction;
+  var out = SwashFoam(0.0, max(l.y, 0.0), 1.0, 1.0);
   let cover = film * swash_cover(at, size);
   if cover < 0.01 {
-    return 0.0;
+    return out;
   }
-  let lods = vec2f(material_lod(FOAM_PATCH_LAYER, size), material_lod(FOAM_STRAND_LAYER, size));
-  let kept = material_variance_left(lods.xxyy).yz;
+  let lods = vec3f(
+    material_lod(FOAM_PATCH_LAYER, size), material_lod(FOAM_STRAND_LAYER, size), material_lod(FOAM_THREAD_LAYER, size));
+  let kept = material_variance_left(lods.xxyz).yzw;
   let patches = material_noise(FOAM_PATCH_LAYER, at, lods.x).r;
-  let strands = material_noise(FOAM_STRAND_LAYER, at, lods.y).r;
-  let noise = vec2f(patches, strands) - 0.5;
-  let z = dot(SWASH_WEIGHTS * FOAM_PER_DEVIATION.yz, noise);
-  let edge = sqrt(1.0 + SWASH_SOFTNESS * SWASH_SOFTNESS) * maths_normal_quantile(clamp(cover, 1e-4, 1.0 - 1e-4));
+  let strands = material_noise(FOAM_STRAND_LAYER, at, lods.y).ra;
+  var threads = vec2f(0.5);
+  if kept.z > 0.02 {
+    threads = material_noise(FOAM_THREAD_LAYER, at, lods.z).ra;
+  }
+  let z = SWASH_PER_DEVIATION * dot(SWASH_WEIGHTS, vec3f(patches, strands.x, threads.x) - 0.5);
+  let edge = maths_normal_quantile(clamp(cover, 1e-4, 1.0 - 1e-4));
   let unresolved = 1.0 - dot(SWASH_WEIGHTS * SWASH_WEIGHTS, kept);
-  return SWASH_OPACITY * maths_normal_cdf((z + edge) * inverseSqrt(SWASH_SOFTNESS * SWASH_SOFTNESS + unresolved));
+  let layers = swash_layers(z, edge, unresolved);
+  out.opacity = dot(SWASH_OPACITY, layers);
+  // The same pattern a step nearer to the sun gives the body slopes and a shadow.
+  let across = max(length(l.xz), 1e-3);
+  let step_m = max(SWASH_STEP_M, size);
+  let ahead = material_noise(FOAM_STRAND_LAYER, at + (step_m / across) * l.xz, lods.y).ra;
+  let before = swash_layers(z + SWASH_PER_DEVIATION * SWASH_WEIGHTS.y * (ahead.x - strands.x), edge, unresolved).y;
+  let lumps = SWASH_PER_DEVIATION * (ahead.y - strands.y);
+  let rise = (SWASH_BODY_M / step_m) * (before - layers.y + 0.25 * layers.y * lumps);
+  let cosine = max(l.y - across * rise, 0.0) * inverseSqrt(1.0 + rise * rise);
+  let grain = layers.y * SWASH_PER_DEVIATION * (strands.y + 0.6 * threads.y - 0.8);
+  let behind = max(dot(dir, l), 0.0);
+  let glow = SWASH_GLOW * behind * behind * saturate(8.0 * l.y);
+  out.lit = mix(out.lit, cosine, SWASH_FACING) * exp2(SWASH_LUMPS * grain) + glow;
+  out.open = exp2(0.5 * SWASH_LUMPS * grain);
+  out.beside = 1.0 - SWASH_SHADOW * saturate(before - layers.y);
+  return out;
 }

@@ -1,5 +1,6 @@
 // Breaking crests. The top of a crest that breaks is pushed along the wind, with which it travels, so that its lee face
-// is steeper than its weather face, and the roller of foam on its front lies on the water as a layer.
+// is steeper than its weather face, and the roller of foam on its front lies on the water as a layer. Waves that break
+// at a coast lean much farther: their map is too coarse for a steep front, and the waves in it are linear.
 
 // Number of foam levels that move the water; on coarser ones, what they move is smaller than a pixel.
 const BREAKER_LEVELS = 2u;
@@ -10,6 +11,14 @@ const BREAKER_PUSH_PER_HEIGHT = 0.22;
 const BREAKER_HALF_EXCESS_SQUARE = 2.0;
 // Thickness of a roller, relative to the height of its crest above the mean.
 const BREAKER_ROLLER_PER_HEIGHT = 0.1;
+// Push, squared excess and thickness of a roller for waves at a coast. They lean before they foam, so that the wave
+// beside the foam is steep, too. The thickness is the first number between billows, and both together on their tops.
+const BREAKER_SURF_PUSH_PER_HEIGHT = 4.2;
+const BREAKER_SURF_HALF_EXCESS_SQUARE = 0.6;
+const BREAKER_SURF_ROLLER = vec2f(0.18, 0.22);
+// Reciprocal of the coast's factor on short waves from which a crest leans in full. On the beach, where only a sheet of
+// water runs up, the factor is 0.
+const BREAKER_SURF_RISE = 2.5;
 
 // State of the foam at a position, from the maps of foam/foam.wgsl, with its derivatives along x and z, 1/m.
 struct BreakerState {
@@ -46,6 +55,27 @@ fn breaker_state(at: vec2f) -> BreakerState {
   return out;
 }
 
+// Lengths of the billows of a roller at a coast, m, in two pairs of directions; lengths, m, over which their rows bend;
+// and spacings of the mesh, m, between which billows fade, because coarser meshes cannot show them.
+const BREAKER_BILLOWS_M = vec4f(1.3, 1.0, 0.5, 0.41);
+const BREAKER_BENDS_M = vec4f(3.7, 4.3, 1.9, 2.3);
+const BREAKER_BILLOW_SPACINGS_M = vec2f(0.25, 0.7);
+
+// Height of the billows of a roller, 0 to 1 (x), and its derivatives along x and z, 1/m (yz): round heaps with creases
+// between. They stay where they are while the front runs over them, so that it churns. Their mean is 0.44.
+fn breaker_billows(at: vec2f) -> vec3f {
+  let p = frame.coast_uv_below_eye / frame.coast_inverse_side + at;
+  let along = p.x * vec4f(0.8, -0.6, 0.98, 0.2) + p.y * vec4f(0.6, 0.8, -0.2, 0.98);
+  let bend = 2.0 * fract(along.yxwz / BREAKER_BENDS_M) - 1.0;
+  let off = 2.0 * fract((along - 0.6 * bend * bend) / BREAKER_BILLOWS_M) - 1.0;
+  let arcs = 1.0 - off * off;
+  let fall = -4.0 * off / BREAKER_BILLOWS_M;
+  let change = vec4f(0.6, 0.6, 0.4, 0.4) * arcs.yxwz * fall;
+  return vec3f(
+    0.6 * arcs.x * arcs.y + 0.4 * arcs.z * arcs.w,
+    dot(change, vec4f(0.8, -0.6, 0.98, 0.2)), dot(change, vec4f(0.6, 0.8, -0.2, 0.98)));
+}
+
 // How a breaking crest moves the water.
 struct BreakerMotion {
   // Displacement along x, y and z, m.
@@ -65,19 +95,34 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f) -> BreakerMotion {
   if foam.value.x + foam.value.y <= 0.0 {
     return out;
   }
-  let square = foam.value.x * foam.value.x;
-  let over = 1.0 / (square + BREAKER_HALF_EXCESS_SQUARE);
-  let share = BREAKER_PUSH_PER_HEIGHT * square * over;
-  let share_change = (2.0 * BREAKER_PUSH_PER_HEIGHT * BREAKER_HALF_EXCESS_SQUARE) * foam.value.x * over * over;
+  // Where only a sheet of water runs up the beach, short waves have ended, and nothing leans or rolls.
+  var surf = 0.0;
+  if WATER_COAST {
+    surf = maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
+  }
+  let push = mix(BREAKER_PUSH_PER_HEIGHT, BREAKER_SURF_PUSH_PER_HEIGHT, surf);
+  let half_square = mix(BREAKER_HALF_EXCESS_SQUARE, BREAKER_SURF_HALF_EXCESS_SQUARE, surf);
+  let excess_square = foam.value.x * foam.value.x;
+  let over = 1.0 / (excess_square + half_square);
+  let share = push * excess_square * over;
+  let share_change = (2.0 * push * half_square) * foam.value.x * over * over;
   let change = share * slope + (share_change * height_m) * vec2f(foam.along_x.x, foam.along_z.x);
   let direction = unpack2x16snorm(frame.breaker_direction);
   let along = direction / max(frame.choppiness, vec2f(0.05));
   out.derivatives.stretch = along * change;
   out.derivatives.shear = along * change.yx;
   // The roller's thickness is proportional to the square of the front, so that its edge rises without a kink.
-  let roller = BREAKER_ROLLER_PER_HEIGHT * foam.value.y;
-  out.derivatives.slope =
-    (roller * foam.value.y) * slope + (2.0 * roller * height_m) * vec2f(foam.along_x.y, foam.along_z.y);
-  out.moved = vec3f(share * height_m * direction.x, roller * foam.value.y * height_m, share * height_m * direction.y);
+  var roller = BREAKER_ROLLER_PER_HEIGHT;
+  var change_of_roller = vec2f(0.0);
+  if surf * foam.value.y > 0.0 {
+    let shown = 1.0 - maths_rise(mesh_spacing(length(at)), BREAKER_BILLOW_SPACINGS_M);
+    let billows = vec3f(0.44, 0.0, 0.0) + shown * (breaker_billows(at) - vec3f(0.44, 0.0, 0.0));
+    roller = mix(roller, BREAKER_SURF_ROLLER.x + BREAKER_SURF_ROLLER.y * billows.x, surf);
+    change_of_roller = surf * BREAKER_SURF_ROLLER.y * billows.yz;
+  }
+  let square = foam.value.y * foam.value.y;
+  let front_change = (2.0 * foam.value.y) * vec2f(foam.along_x.y, foam.along_z.y);
+  out.derivatives.slope = square * (roller * slope + height_m * change_of_roller) + (roller * height_m) * front_change;
+  out.moved = vec3f(share * height_m * direction.x, roller * square * height_m, share * height_m * direction.y);
   return out;
 }

@@ -3,6 +3,41 @@
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read_write> mesh_vertices: array<MeshVertex>;
 
+// Height of the lobes in which water runs up the land, relative to the run-up, and the highest run-up that counts, m.
+const DISPLACE_LOBES = 0.33;
+const DISPLACE_LOBES_RUN_UP_M = 1.5;
+// Lengths of the lobes along the edge of the water, m, their shares, and how much longer they are across it.
+const DISPLACE_LOBES_M = vec3f(12.7, 5.3, 2.1);
+const DISPLACE_LOBE_SHARES = vec3f(0.28, 0.42, 0.3);
+const DISPLACE_LOBE_STRETCH = 2.2;
+
+// Rows of arcs, 0 to 1 high, that meet in cusps at whole numbers.
+fn displace_arcs(x: vec3f) -> vec3f {
+  let off = 2.0 * fract(x) - 1.0;
+  return 1.0 - off * off;
+}
+
+// Height, m, that the lobes of the swash add to the water at a position relative to the point below the eye, m, where
+// vertices are `spacing` metres apart. The edge of water that runs up a beach is a row of tongues, which are round ahead
+// and meet in cusps; the waves of the maps are too long to shape them. Lobes lie where the water is so shallow that
+// short waves have ended.
+fn displace_lobes_m(at: vec2f, spacing: f32) -> f32 {
+  let gains = coast_at(at);
+  let share = gains.z * maths_smooth(1.1 - 2.6 * gains.x) * maths_smooth(2.0 - spacing);
+  if share * gains.w <= 0.0 {
+    return 0.0;
+  }
+  // Lobes are fixed to the world, so that the edge changes its shape as it runs over them.
+  let place = frame.coast_uv_below_eye / frame.coast_inverse_side + at;
+  let onshore = unpack2x16snorm(frame.breaker_direction);
+  let side = dot(place, vec2f(-onshore.y, onshore.x));
+  let across = dot(place, onshore) * (1.0 / DISPLACE_LOBE_STRETCH);
+  let bent = displace_arcs(vec3f(0.031, 0.047, 0.083) * side + vec3f(0.11, -0.07, 0.19) * across);
+  let arcs = displace_arcs((side + vec3f(6.0, 4.0, 1.7) * bent + 0.6 * across) / DISPLACE_LOBES_M);
+  let height = dot(DISPLACE_LOBE_SHARES, arcs) * (0.4 + 0.9 * bent.y) - 0.66;
+  return DISPLACE_LOBES * min(gains.w, DISPLACE_LOBES_RUN_UP_M) * share * height;
+}
+
 // One thread per vertex: columns along x, rows along y. A software GPU samples faster if neighbours use one mip level.
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -18,7 +53,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
   let water = water_displacement(at, mesh_spacing(radius), true);
   let breaker = breaker_motion(at, water.displacement.y, water.carried.slope);
-  let moved = water.displacement + breaker.moved;
+  var moved = water.displacement + breaker.moved;
+  if WATER_COAST {
+    moved.y += displace_lobes_m(at, mesh_spacing(radius));
+  }
   let flat = at + moved.xz;
   let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_RADIUS_M);
   let place = vec3f(flat.x, moved.y - drop - frame.eye_height_m, flat.y);

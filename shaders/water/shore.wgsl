@@ -3,9 +3,15 @@
 // The albedo of the ground near the shore goes over into that of the land, which has neither seagrass nor reefs, where
 // the water is this deep, m: all land (x), and all bed (y).
 const BED_SHORE_M = vec2f(0.8, 3.5);
-// Depth of the water, m, below which the edge of the swash is a line of foam, and the part of it that foam covers.
-const SHORE_LACE_M = 0.045;
-const SHORE_LACE_COVER = 0.62;
+// Width, m, of the line of foam at the edge of the swash, and the least difference between the slopes of the water and
+// of the ground from which the distance of that edge is computed.
+const SHORE_LACE_M = 0.9;
+const SHORE_LEAST_FALL = 0.03;
+// Part of that line that foam covers.
+const SHORE_LACE_COVER = 0.75;
+// Part of the rim, the first third of the line, that foam covers, and how much of it is as thick as that of a breaker.
+const SHORE_RIM_COVER = 0.93;
+const SHORE_RIM_FRONT = 0.7;
 // The sheet of water that runs up sand bears old foam behind that line: its part, and the depth up to which it does,
 // relative to the height of the run-up.
 const SHORE_SHEET_COVER = 0.30;
@@ -83,11 +89,13 @@ fn shore_hardness(ground: vec4f, place: vec2f, size: f32) -> f32 {
   return max(built, land_rock_share(SHORE_CLIFF_SLOPES * length(around.yz)));
 }
 
-// Foam of a pixel with `cover` more of it, whose youth is `young`. It lies beside that of breakers as often as on it.
-fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32) -> FoamAmount {
+// Foam of a pixel with `cover` more of it, whose youth is `young` and of which the part `fresh` is a front. It lies
+// beside that of breakers as often as on it.
+fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> FoamAmount {
   let all = foam.cover + (1.0 - foam.cover) * cover;
   let old = foam.cover / max(all, 1e-4);
-  return FoamAmount(all, old * foam.fresh, max(foam.plume, SHORE_PLUME * cover), mix(young, foam.young, old));
+  let plume = max(foam.plume, SHORE_PLUME * cover);
+  return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
 }
 
 // The foam of a pixel, with the collar around stone whose share is `hard`. `ground`, `at` and `height` have the meaning
@@ -99,13 +107,15 @@ fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, heigh
   let reach = SHORE_COLLAR_DEPTH * run_up * (1.0 + clamp(height / run_up, -0.8, 1.0));
   let near = saturate(1.0 + ground.x / reach);
   let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_COLLAR_RUN_UP_M);
-  return shore_more_foam(foam, SHORE_COLLAR_COVER * lively * hard * maths_smooth(near), near);
+  return shore_more_foam(foam, SHORE_COLLAR_COVER * lively * hard * maths_smooth(near), near, 0.0);
 }
 
 // The foam of a pixel, with that of the swash, which carries it at its edge, and with the collar of foam around rock and
 // walls. `ground` is that of land_at, `at` the pixel's place relative to the point below the eye, `height` the height of
-// the water there, m, and `size` the width of the pixel's texels, m.
-fn shore_add_lace(foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, size: f32) -> FoamAmount {
+// the water there, m, `slope` the slope of the waves, and `size` the width of the pixel's texels, m.
+fn shore_add_lace(
+  foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, slope: vec2f, size: f32,
+) -> FoamAmount {
   // No collar reaches deeper than one of the highest waves.
   if -ground.x > 2.0 * SHORE_COLLAR_DEPTH * land.run_up_m {
     return foam;
@@ -115,9 +125,15 @@ fn shore_add_lace(foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, size:
   if column < SHORE_SHEET_DEPTH * land.run_up_m {
     let run_up = max(shore_run_up_m(at), 1e-3);
     let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_LACE_RUN_UP_M);
-    let line = maths_smooth(2.0 - 2.0 * column / SHORE_LACE_M);
+    // The foam at the edge is a thin line in places and a broad front in others.
+    let fringe = land_noise(land_turned(land_place(at)), LAND_FINE_M, size);
+    let lace_m = SHORE_LACE_M * exp2(0.9 * fringe.z + 0.5 * fringe.w);
+    let edge_m = column / max(length(slope - land_to_world(ground.yz)), SHORE_LEAST_FALL);
+    let line = maths_smooth(2.0 - 2.0 * edge_m / lace_m);
+    let rim = maths_smooth(1.5 - 4.0 * edge_m / lace_m) * maths_smooth(1.1 + 0.5 * fringe.w);
     let sheet = SHORE_SHEET_COVER * maths_smooth(1.0 - column / (SHORE_SHEET_DEPTH * run_up));
-    out = shore_more_foam(out, lively * max(SHORE_LACE_COVER * line, sheet), line);
+    let edge = max(SHORE_LACE_COVER * line, SHORE_RIM_COVER * rim);
+    out = shore_more_foam(out, lively * max(edge, sheet), line, SHORE_RIM_FRONT * rim);
   }
   out.plume *= maths_smooth(column / SHORE_CLEAR_M);
   let hard = shore_hardness(ground, land_place(at), size);

@@ -106,7 +106,8 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if WATER_FOAM {
     foam = foam_level(point.undisplaced, foot);
     if WATER_LAND {
-      foam = shore_add_lace(foam, ground, point.position.xz, point.height, WATER_TAP_TEXEL_RATIO * foot.length_m);
+      let size = WATER_TAP_TEXEL_RATIO * foot.length_m;
+      foam = shore_add_lace(foam, ground, point.position.xz, point.height, seen.mean, size);
     }
     if WATER_HULLS {
       foam = wake_add_foam(foam, wake);
