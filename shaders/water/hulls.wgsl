@@ -199,9 +199,9 @@ fn hull_foam(position: vec3f, pattern: vec3f, colour: vec3f) -> vec4f {
   let distance_m = length(position);
   let dir = position / distance_m;
   let at = vec2f(pattern.x, pattern.y * 0.6);
-  let torn = 0.6 * hull_noise(at * 2.6) + 0.4 * hull_noise(at * vec2f(7.0, 9.0) + 31.0);
-  let thick = 1.3 * pattern.z - 0.6 * pattern.y * pattern.y - 0.1;
-  let opacity = smoothstep(0.0, 0.35, thick - 0.8 * torn) * saturate(3.0 * pattern.z);
+  let torn = 0.5 * hull_noise(at * 3.0) + 0.5 * hull_noise(at * vec2f(8.0, 10.0) + 31.0);
+  let thick = 1.2 * min(pattern.z, 1.0) - pattern.y * pattern.y;
+  let opacity = smoothstep(-0.1, 0.4, thick - 0.6 * torn) * saturate(3.0 * pattern.z);
   // Thick foam is lit from all sides, from above most, and its hollows are darker.
   let n = normalize(vec3f(-dir.x, 1.0, -dir.z));
   let sun = cloud_sun_irradiance() * (0.35 + 0.55 * max(dot(n, frame.sun_direction), 0.0));
