@@ -124,7 +124,8 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let sun = sunlight * max(sun_cosine, 0.0);
   let on_sea = light.sky_irradiance + all_sunlight * max(frame.sun_direction.y, 0.0);
   let facing_sun = dot(n.xz, normalize(frame.sun_direction.xz + vec2f(1e-6, 0.0)));
-  // A sail also glows with the light of the sky behind it. Near its leading edge, mast and sails hide a part of the sky.
+  // A sail also glows with the sky behind it, which lowers the contrast between its sides. Near its leading edge, mast
+  // and sails hide a part of the sky.
   let contrast = HULL_SKY_CONTRAST * facing_sun * (1.0 - 2.0 * paint.a);
   let hidden = select(0.0, HULL_LUFF_SHADE * exp(-5.0 * in.cloth.x), in.cloth.y > 0.0);
   let from_sky = light.sky_irradiance * (up * (1.0 + contrast) * (1.0 - hidden));
