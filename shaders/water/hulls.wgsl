@@ -124,7 +124,8 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let sun = sunlight * max(sun_cosine, 0.0);
   let on_sea = light.sky_irradiance + all_sunlight * max(frame.sun_direction.y, 0.0);
   let facing_sun = dot(n.xz, normalize(frame.sun_direction.xz + vec2f(1e-6, 0.0)));
-  // A sail also glows with the light of the sky behind it. Near its leading edge, mast and sails hide a part of the sky.
+  // A sail also glows with the sky behind it, which lowers the contrast between its sides. Near its leading edge, mast
+  // and sails hide a part of the sky.
   let contrast = HULL_SKY_CONTRAST * facing_sun * (1.0 - 2.0 * paint.a);
   let hidden = select(0.0, HULL_LUFF_SHADE * exp(-5.0 * in.cloth.x), in.cloth.y > 0.0);
   let from_sky = light.sky_irradiance * (up * (1.0 + contrast) * (1.0 - hidden));
@@ -199,9 +200,9 @@ fn hull_foam(position: vec3f, pattern: vec3f, colour: vec3f) -> vec4f {
   let distance_m = length(position);
   let dir = position / distance_m;
   let at = vec2f(pattern.x, pattern.y * 0.6);
-  let torn = 0.6 * hull_noise(at * 2.6) + 0.4 * hull_noise(at * vec2f(7.0, 9.0) + 31.0);
-  let thick = 1.3 * pattern.z - 0.6 * pattern.y * pattern.y - 0.1;
-  let opacity = smoothstep(0.0, 0.35, thick - 0.8 * torn) * saturate(3.0 * pattern.z);
+  let torn = 0.5 * hull_noise(at * 3.0) + 0.5 * hull_noise(at * vec2f(8.0, 10.0) + 31.0);
+  let thick = 1.2 * min(pattern.z, 1.0) - pattern.y * pattern.y;
+  let opacity = smoothstep(-0.1, 0.4, thick - 0.6 * torn) * saturate(3.0 * pattern.z);
   // Thick foam is lit from all sides, from above most, and its hollows are darker.
   let n = normalize(vec3f(-dir.x, 1.0, -dir.z));
   let sun = cloud_sun_irradiance() * (0.35 + 0.55 * max(dot(n, frame.sun_direction), 0.0));

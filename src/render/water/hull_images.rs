@@ -72,6 +72,7 @@ const RED: u32 = 0x0020_2ab0;
 const WHITE: u32 = 0x00e8_ecec;
 const NAVY: u32 = 0x0058_3418;
 const DARK: u32 = 0x0040_4848;
+const ANTIFOULING: u32 = 0x0080_6050;
 /// Sailcloth, which lets light through.
 const SAIL: u32 = 0x73e4_eef0;
 
@@ -96,7 +97,7 @@ const BOAT: &[Section] = &[
 
 /// Hull, cabin and sails of the yacht as src/render/water/yacht_shape.rs draws them.
 const YACHT: &[Section] = &[
-    (-0.3, [0.0, 0.1], [4.6, 1.1], DARK),
+    (-0.3, [0.0, 0.1], [4.6, 1.1], ANTIFOULING),
     (0.1, [0.0, 0.1], [5.1, 1.45], WHITE),
     (0.85, [0.0, -0.05], [5.4, 1.7], NAVY),
     (1.1, [0.0, -0.1], [5.5, 1.72], WHITE),

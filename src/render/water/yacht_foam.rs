@@ -21,8 +21,8 @@ type Crest = Vec<(DVec3, f64, f64)>;
 
 /// Triangles of the white water around a yacht that heels by `heel_rad` to starboard and makes way.
 pub fn yacht_foam(speed_m_s: f64, heel_rad: f64) -> Vec<FoamCorner> {
-    // The height to which water rises that the stem stops.
-    let rise_m = speed_m_s * speed_m_s / (2.0 * 9.81);
+    // The height to which water rises that the stem stops, and a little more, because it splashes.
+    let rise_m = 1.3 * speed_m_s * speed_m_s / (2.0 * 9.81);
     let white = (speed_m_s / 2.6).powi(2).min(1.0);
     let mut corners = Vec::new();
     if white < 0.05 {
@@ -43,7 +43,7 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64) -> Vec<FoamCorner> {
         let crest = (0..=36).map(|i| {
             let z = stem - 0.15 + f64::from(i) * (stern - stem) / 36.0;
             let bow = bell(z, stem + 0.5, 0.5).max(0.8 * bell(z, stem + 1.1, 1.3));
-            let high = 1.15 * bow + 0.3 + 0.3 * bell(z, stern, 1.2);
+            let high = 1.2 * bow + 0.3 + 0.3 * bell(z, stern, 1.2);
             let shown = 0.6 + 0.5 * bow + 0.2 * bell(z, stern, 1.5);
             (beside(z) + DVec3::X * (side * 0.03), press * rise_m * high, white * press * shown)
         });
@@ -64,9 +64,9 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64) -> Vec<FoamCorner> {
     corners
 }
 
-/// Adds the water that the hull has churned: low crests across its track and along it, which the waves hide here and there.
+/// Adds the water that the hull has churned: low crests across its track and along it, which the waves hide in part.
 fn wake(corners: &mut Vec<FoamCorner>, rise_m: f64, white: f64) {
-    for (z, half, height, shown) in [(5.75, 1.1, 0.3, 0.85), (7.4, 1.3, 0.3, 0.6), (9.8, 1.6, 0.2, 0.45)] {
+    for (z, half, height, shown) in [(5.75, 1.1, 0.25, 0.75), (7.4, 1.3, 0.3, 0.6), (9.8, 1.6, 0.2, 0.45)] {
         let crest = (0..=8).map(|i| {
             let x = (f64::from(i) - 4.0) / 4.0;
             (DVec3::new(x * half, 0.0, z), rise_m * height * (1.0 - 0.6 * x * x), white * shown)
@@ -111,7 +111,7 @@ mod tests {
     fn white_water_needs_speed_and_stays_near_the_water() {
         assert!(yacht_foam(0.5, 0.0).is_empty());
         let foam = yacht_foam(3.0, 0.3);
-        assert!(foam.len() % 3 == 0 && foam.iter().all(|c| (-0.5..0.8).contains(&c.at.y)));
+        assert!(foam.len() % 3 == 0 && foam.iter().all(|c| (-0.5..1.0).contains(&c.at.y)));
         // The heeled hull lies deeper to leeward.
         let widest = |side: f64| water_line(side, 0.3).iter().map(|p| side * p.x).fold(0.0, f64::max);
         assert!(widest(1.0) > widest(-1.0) + 0.2, "{} {}", widest(1.0), widest(-1.0));

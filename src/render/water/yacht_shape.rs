@@ -14,8 +14,8 @@ const SAILS: [u32; 2] = [0x40e0_ecf0, 0x40e0_ebf0];
 const WET_WHITE: u32 = 0x00d0_d6d4;
 /// Weathered teak of the cockpit.
 const TEAK: u32 = 0x0068_8094;
-/// Dark red antifouling paint below the water line.
-const ANTIFOULING: u32 = 0x0028_2a60;
+/// Grey-blue antifouling paint below the water line.
+const ANTIFOULING: u32 = 0x0068_4838;
 /// Distance of the mast's foot before the middle of the hull, m.
 const MAST_AHEAD_M: f64 = 0.85;
 /// Height of the top of the mast above the water, m.
