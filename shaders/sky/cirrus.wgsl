@@ -31,7 +31,8 @@ const CIRRUS_SKEW = 0.382;
 // Turn of the fibres of the lower and the upper sheet against the wind, in sides across for one side along the tile.
 const CIRRUS_TURN = vec2f(-0.13, 0.1);
 // Winds turn over tens of km, and eddies of 10 km bend and spread what they carry. Two times three waves shift the
-// fibres across the wind: the numbers of the waves along and across a tile, their phases (turns) and their heights (tiles).
+// fibres across the wind: the numbers of the waves along and across a tile, their phases (turns) and their heights
+// (tiles).
 const CIRRUS_WINDS_ALONG = vec3f(1.0, 1.0, 2.0);
 const CIRRUS_WINDS_ACROSS = vec3f(1.0, -2.0, 1.0);
 const CIRRUS_WINDS_PHASE = vec3f(0.0, 0.3, 0.6);
