@@ -30,12 +30,17 @@ const CIRRUS_RIPPLE_GAIN = 2.4;
 const CIRRUS_SKEW = 0.382;
 // Turn of the fibres of the lower and the upper sheet against the wind, in sides across for one side along the tile.
 const CIRRUS_TURN = vec2f(-0.13, 0.1);
-// Winds turn over tens of km, and eddies of 10 km bend and spread what they carry. Six waves shift the fibres across the
-// wind: columns are their numbers along and across a tile, then their phases (turns) and their heights (tiles).
-const CIRRUS_WAVES_ALONG = array(vec3f(1.0, 1.0, 2.0), vec3f(2.0, 4.0, 5.0));
-const CIRRUS_WAVES_ACROSS = array(vec3f(1.0, -2.0, 1.0), vec3f(5.0, -3.0, 7.0));
-const CIRRUS_WAVE_PHASES = array(vec3f(0.0, 0.3, 0.6), vec3f(0.1, 0.8, 0.45));
-const CIRRUS_WAVE_HEIGHTS = array(vec3f(0.028, 0.02, 0.013), vec3f(0.008, 0.005, 0.003));
+// Winds turn over tens of km, and eddies of 10 km bend and spread what they carry. Two times three waves shift the
+// fibres across the wind: the numbers of the waves along and across a tile, their phases (turns) and their heights
+// (tiles).
+const CIRRUS_WINDS_ALONG = vec3f(1.0, 1.0, 2.0);
+const CIRRUS_WINDS_ACROSS = vec3f(1.0, -2.0, 1.0);
+const CIRRUS_WINDS_PHASE = vec3f(0.0, 0.3, 0.6);
+const CIRRUS_WINDS_HEIGHT = vec3f(0.028, 0.02, 0.013);
+const CIRRUS_EDDIES_ALONG = vec3f(2.0, 4.0, 5.0);
+const CIRRUS_EDDIES_ACROSS = vec3f(5.0, -3.0, 7.0);
+const CIRRUS_EDDIES_PHASE = vec3f(0.1, 0.8, 0.45);
+const CIRRUS_EDDIES_HEIGHT = vec3f(0.008, 0.005, 0.003);
 // Streaks: number of samples between the end of a streak and its head, distance between them, tiles; share of ice that
 // is left from one to the next; sideways bend of a streak, tiles per tile squared; sides of the noise along and across
 // a tile for the heads, and the values of the noise between which they become dense.
@@ -66,17 +71,17 @@ fn cirrus_left(length_km: f32, size_km: f32) -> f32 {
   return 1.0 / (1.0 + ratio * ratio);
 }
 
+// Sum of three waves at a place in tiles (x), and its change along and across the wind (yz).
+fn cirrus_waves(place: vec2f, along: vec3f, across: vec3f, phase: vec3f, height: vec3f) -> vec3f {
+  let at = 2.0 * ATM_PI * (along * place.x + across * place.y + phase);
+  let slope = 2.0 * ATM_PI * height * cos(at);
+  return vec3f(dot(sin(at), height), dot(slope, along), dot(slope, across));
+}
+
 // Shift of the fibres across the wind, tiles, at a place in tiles (x), and its change along and across the wind (yz).
 fn cirrus_bend(place: vec2f) -> vec3f {
-  var bend = vec3f(0.0);
-  for (var i = 0; i < 2; i++) {
-    let along = CIRRUS_WAVES_ALONG[i];
-    let across = CIRRUS_WAVES_ACROSS[i];
-    let at = 2.0 * ATM_PI * (along * place.x + across * place.y + CIRRUS_WAVE_PHASES[i]);
-    let slope = 2.0 * ATM_PI * CIRRUS_WAVE_HEIGHTS[i] * cos(at);
-    bend += vec3f(dot(sin(at), CIRRUS_WAVE_HEIGHTS[i]), dot(slope, along), dot(slope, across));
-  }
-  return bend;
+  return cirrus_waves(place, CIRRUS_WINDS_ALONG, CIRRUS_WINDS_ACROSS, CIRRUS_WINDS_PHASE, CIRRUS_WINDS_HEIGHT)
+    + cirrus_waves(place, CIRRUS_EDDIES_ALONG, CIRRUS_EDDIES_ACROSS, CIRRUS_EDDIES_PHASE, CIRRUS_EDDIES_HEIGHT);
 }
 
 // Optical depth, straight up, of a sheet at a point: 0 is the lower one. It is averaged over an ellipse whose axes, km,

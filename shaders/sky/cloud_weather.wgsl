@@ -10,7 +10,7 @@ const WEATHER_STREETS = 9.0;
 
 // Place of the field of heaps, tiles, over the sea's origin, where most views begin: the sun shines there between
 // clouds of many sizes.
-const WEATHER_HEAPS_START = vec2f(0.648, 0.367);
+const WEATHER_HEAPS_START = vec2f(0.867, 0.055);
 
 // Broken deck: value of its pattern at which the height is half of the highest, and the step, tiles, for differences.
 const WEATHER_DECK_EDGE = 0.35;
