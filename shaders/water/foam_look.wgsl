@@ -185,8 +185,10 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   var lods = foam_lods(pixel, has_detail);
   if WATER_COAST {
     // The leaning front of a breaker at a coast squeezes its foam: without sharper levels it would be blurred sideways.
-    lods.layers -= vec4f(FOAM_SURF_SHARPER * amount.fresh);
-    lods.billow -= FOAM_SURF_SHARPER * amount.fresh;
+    // Far away they would flicker.
+    let sharper = FOAM_SURF_SHARPER * amount.fresh * saturate(1.3 - pixel.length_m);
+    lods.layers -= vec4f(sharper);
+    lods.billow -= sharper;
   }
   var kept = material_variance_left(lods.layers);
   let billows = MATERIAL_VARIANCE_STEEPNESS.y * (lods.billow - MATERIAL_HALF_VARIANCE_LOD.y);

@@ -37,7 +37,7 @@ const SHORE_CLIFF_SLOPES = 2.0;
 // Depth of the water, m, up to which it is too thin for a cloud of bubbles: the sand shows through.
 const SHORE_CLEAR_M = 0.35;
 // Depth of the water, m, from which waves keep their slopes: thinner water lies on the sand like the film beside it.
-const SHORE_THIN_M = 0.30;
+const SHORE_THIN_M = 0.45;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 

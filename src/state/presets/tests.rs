@@ -79,8 +79,8 @@ const CLAIMS: [(&str, [f64; 2], [f64; 2]); 26] = [
     ("Shallow tropical water", [0.3, 0.4], [2.0, 3.0]),
     ("Swell on a beach", [1.45, 1.6], [10.5, 11.5]),
     ("Headland and bay", [1.7, 1.9], [10.5, 11.5]),
-    ("Surf on a bar", [1.5, 1.7], [8.5, 9.5]),
-    ("Around the island", [1.35, 1.5], [8.5, 9.5]),
+    ("Surf on a bar", [2.4, 2.6], [11.5, 12.5]),
+    ("Around the island", [1.3, 1.45], [10.5, 11.5]),
     ("Harbour entrance", [1.5, 1.75], [7.5, 8.5]),
     ("Over the shoal", [1.45, 1.6], [6.8, 7.4]),
 ];
