@@ -15,7 +15,7 @@ const SPRAY_SIDE = 96u;
 // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
 const SPRAY_COARSE_SHARE = 0.25;
 // Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(0.95, 0.4);
+const SPRAY_OPTICAL_DEPTH = vec2f(0.7, 0.4);
 // Exposure time over which a puff moves in the picture, s.
 const SPRAY_EXPOSURE_S = 0.02;
 // Range of the front of a breaker over which it throws up spray.
@@ -34,7 +34,7 @@ const SPRAY_FORWARD_SKY = 0.7;
 const SPRAY_SKY_LOD = 3.0;
 const SPRAY_LOWEST_SKY = 0.05;
 // Highest speed at which eddies lift mist, relative to that of the wind.
-const SPRAY_LIFT = 0.05;
+const SPRAY_LIFT = 0.02;
 // Fraction of the light that reaches a puff at the root of the spray, and how much brighter its sunlit side is.
 const SPRAY_ROOT_LIGHT = 0.5;
 const SPRAY_ROUNDNESS = 0.3;
@@ -116,7 +116,7 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   let relaxation_s = select(0.12 + 0.25 * more.y, 0.45, is_coarse);
   let fall = select(0.3 + 0.5 * more.y, 3.0 + 2.0 * more.y, is_coarse);
   let across = vec2f(-spray.downwind.y, spray.downwind.x);
-  let jet = sqrt(frame.hs_m) * select(0.2 + 0.5 * more.z, 0.4 + 0.8 * more.z, is_coarse);
+  let jet = sqrt(frame.hs_m) * select(0.05 + 0.25 * more.z, 0.3 + 0.5 * more.z, is_coarse);
   let sideways = (random.z - 0.5) * across;
   let start = (spray.breaker_speed_m_s * (0.8 + 0.5 * random.w)) * spray.downwind + 2.0 * sideways;
   let gust = spray.wind_m_s * (0.75 + 0.35 * more.w);
