@@ -95,15 +95,16 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "At the waterline",
-        description: "Half of the lens is under water, over three metres of sand with patches of seagrass.",
-        state: "v=2&wind=3&fetch=10&depth=3&sun=50&sunaz=80&clouds=cumulus&glints=1&gusts=1&bedcover=0.35&bloom=0.04\
+        description: "Half of the lens is under water, over three metres of sand with patches of seagrass, before a low \
+                      sun.",
+        state: "v=2&wind=3&fetch=10&depth=3&sun=14&sunaz=35&clouds=cirrus&glints=1&gusts=1&bedcover=0.5&bloom=0.04\
                 &dive=0.03&heading=20&fov=75&t=4.3",
     },
     GalleryPicture {
         title: "Rain",
         description: "Rain from a broken deck: streaks, rings and splashes of drops, and a low sun behind the veil.",
-        state: "v=2&wind=5&fetch=20&sun=8&sunaz=25&overcast=0.4&clouds=stratocumulus&cloudcover=0.9&squalls=0.5&rain=14\
-                &glints=1&gusts=1&exposure=0.3&bloom=0.04&y=1.8&heading=10&pitch=-3&fov=52&t=40&afloat=yacht*30*-80",
+        state: "v=2&wind=5&fetch=20&sun=8&sunaz=25&overcast=0.4&clouds=stratocumulus&cloudcover=0.9&squalls=0.5&rain=25\
+                &glints=1&gusts=1&exposure=0.3&bloom=0.04&y=4&heading=10&pitch=1&fov=42&t=40&afloat=yacht*30*-80",
     },
     GalleryPicture {
         title: "Shallow tropical water",
