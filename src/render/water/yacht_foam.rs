@@ -111,7 +111,7 @@ mod tests {
     fn white_water_needs_speed_and_stays_near_the_water() {
         assert!(yacht_foam(0.5, 0.0).is_empty());
         let foam = yacht_foam(3.0, 0.3);
-        assert!(foam.len() % 3 == 0 && foam.iter().all(|c| (-0.5..1.0).contains(&c.at.y)));
+        assert!(foam.len().is_multiple_of(3) && foam.iter().all(|c| (-0.5..1.0).contains(&c.at.y)));
         // The heeled hull lies deeper to leeward.
         let widest = |side: f64| water_line(side, 0.3).iter().map(|p| side * p.x).fold(0.0, f64::max);
         assert!(widest(1.0) > widest(-1.0) + 0.2, "{} {}", widest(1.0), widest(-1.0));
