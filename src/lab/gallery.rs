@@ -116,7 +116,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Dusk",
         description: "The sun has set for the sea, but not yet for the cirrus high above it.",
-        state: "v=2&wind=4&fetch=20&scale2=1&dir2=300&hs2=1.2&tp2=9&swell2=0.7&sun=-1.5&sunaz=285&clouds=cirrus\
+        state: "v=2&wind=4&fetch=20&scale2=1&hs2=1.2&tp2=9&swell2=0.7&sun=-1.5&sunaz=285&clouds=cirrus\
                 &cloudcover=0.5&glints=1&gusts=1&bloom=0.04&y=3&heading=294&pitch=3&t=40&afloat=yacht*-58*-13",
     },
     GalleryPicture {
