@@ -54,9 +54,8 @@ const FOAM_MIN_RESOLVED = 0.05;
 const FOAM_MIN_LAYER_VARIANCE = 0.02;
 // Fraction of a pixel's light from foam, below which its relief is not seen.
 const FOAM_MIN_RELIEF_COVER = 0.02;
-// Mip levels by which the noise of a front at a coast is sharper, and by how much its bubbles show more.
-const FOAM_SURF_SHARPER = 2.5;
-const FOAM_SURF_BUBBLES = 1.2;
+// Mip levels by which the noise of a front at a coast is sharper.
+const FOAM_SURF_SHARPER = 1.0;
 // Length over which the finest noise changes, m. Longer pixels have two samples.
 const FOAM_FINEST_DETAIL_M = 0.02;
 
@@ -233,8 +232,7 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   }
   out.film *= (1.0 - amount.fresh) / max(out.cover, 1e-4);
   // Billows are higher where foam covers; the grain is relative to their mean there.
-  let bubbles_grain = 0.7 + select(0.0, FOAM_SURF_BUBBLES * amount.fresh, WATER_COAST);
-  out.grain = 0.5 + 1.3 * (out.grain - FOAM_BILLOW_GRAIN * pattern.usual) + bubbles_grain * place.heights.z;
+  out.grain = 0.5 + 1.3 * (out.grain - FOAM_BILLOW_GRAIN * pattern.usual) + 0.7 * place.heights.z;
   out.grain -= foam_grain_skew(kept.yz, pattern.turn.y);
   let aged = mix(FOAM_AGED_RELIEF.x, FOAM_AGED_RELIEF.y, amount.young);
   let strength = material.foam_relief * mix(aged, 1.0, amount.fresh);
