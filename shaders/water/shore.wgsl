@@ -112,9 +112,9 @@ fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, heigh
 
 // The foam of a pixel, with that of the swash, which carries it at its edge, and with the collar of foam around rock and
 // walls. `ground` is that of land_at, `at` the pixel's place relative to the point below the eye, `height` the height of
-// the water there, m, `slope` the slope of the waves, and `size` the width of the pixel's texels, m.
+// the water there, m, `fall` its slope relative to that of the ground, and `size` the width of the pixel's texels, m.
 fn shore_add_lace(
-  foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, slope: vec2f, size: f32,
+  foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, fall: f32, size: f32,
 ) -> FoamAmount {
   // No collar reaches deeper than one of the highest waves.
   if -ground.x > 2.0 * SHORE_COLLAR_DEPTH * land.run_up_m {
@@ -128,7 +128,7 @@ fn shore_add_lace(
     // The foam at the edge is a thin line in places and a broad front in others.
     let fringe = land_noise(land_turned(land_place(at)), LAND_FINE_M, size);
     let lace_m = SHORE_LACE_M * exp2(0.9 * fringe.z + 0.5 * fringe.w);
-    let edge_m = column / max(length(slope - land_to_world(ground.yz)), SHORE_LEAST_FALL);
+    let edge_m = column / max(fall, SHORE_LEAST_FALL);
     let line = maths_smooth(2.0 - 2.0 * edge_m / lace_m);
     let rim = maths_smooth(1.5 - 4.0 * edge_m / lace_m) * maths_smooth(1.1 + 0.5 * fringe.w);
     let sheet = SHORE_SHEET_COVER * maths_smooth(1.0 - column / (SHORE_SHEET_DEPTH * run_up));

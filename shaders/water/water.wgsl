@@ -69,12 +69,14 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     slope.variance *= wake.rough;
   }
   var ground: vec4f;
+  // Slope of the water's surface relative to that of the ground.
+  var fall = 0.0;
   if WATER_LAND {
     let size = WATER_TAP_TEXEL_RATIO * foot.length_m;
     ground = land_at(land_place(point.position.xz), land_lod(size));
+    fall = length(slope.mean - land_to_world(ground.yz));
     slope = shore_thin_slope(slope, ground, point.height);
   }
-  let n = water_normal(slope.mean);
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
   }
@@ -107,7 +109,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     foam = foam_level(point.undisplaced, foot);
     if WATER_LAND {
       let size = WATER_TAP_TEXEL_RATIO * foot.length_m;
-      foam = shore_add_lace(foam, ground, point.position.xz, point.height, seen.mean, size);
+      foam = shore_add_lace(foam, ground, point.position.xz, point.height, fall, size);
     }
     if WATER_HULLS {
       foam = wake_add_foam(foam, wake);
@@ -126,6 +128,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     mirror = hull_image_mirrored(mirror, hull_image_place(point.position, point.height), v, 1.0 / nearness, slope);
   }
   // Viewing ray after refraction at the mean facet.
+  let n = water_normal(slope.mean);
   let ray = water_refract(-v, n);
   var below = water_deep_radiance(n, ray, foam.plume);
   if WATER_BED {
