@@ -18,9 +18,9 @@ fn displace_arcs(x: vec3f) -> vec3f {
 }
 
 // Height, m, that the lobes of the swash add to the water at a position relative to the point below the eye, m, where
-// vertices are `spacing` metres apart. The edge of water that runs up a beach is a row of tongues, which are round ahead
-// and meet in cusps; the waves of the maps are too long to shape them. Lobes lie where the water is so shallow that
-// short waves have ended.
+// vertices are `spacing` metres apart. The edge of water that runs up a beach is a row of tongues, which are round
+// ahead and meet in cusps; the waves of the maps are too long to shape them. Lobes lie where the water is so shallow
+// that short waves have ended.
 fn displace_lobes_m(at: vec2f, spacing: f32) -> f32 {
   let gains = coast_at(at);
   let share = gains.z * maths_smooth(1.1 - 2.6 * gains.x) * maths_smooth(2.0 - spacing);

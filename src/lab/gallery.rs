@@ -80,8 +80,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Golden hour",
-        description: "A low sun below broken clouds, and a yacht in a moderate breeze on an old swell: waves shade each \
-                      other, and the crests between carry the light.",
+        description: "A low sun below broken clouds, and a yacht in a moderate breeze on an old swell: waves shade \
+                      each other, and the crests between carry the light.",
         state: "v=2&wind=5.5&fetch=40&dir=225&scale2=1&dir2=205&hs2=1.6&tp2=9&swell2=0.7&sun=3&sunaz=200\
                 &clouds=stratocumulus&cloudcover=0.65&glints=1&gusts=1&bloom=0.04&y=2.5&heading=206&pitch=3&fov=42&t=40\
                 &afloat=yacht*-17*93",
@@ -95,8 +95,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "At the waterline",
-        description: "Half of the lens is under water, over three metres of sand with patches of seagrass, before a low \
-                      sun.",
+        description: "Half of the lens is under water, over three metres of sand with patches of seagrass, before a \
+                      low sun.",
         state: "v=2&wind=3&fetch=10&depth=3&sun=14&sunaz=35&clouds=cirrus&glints=1&gusts=1&bedcover=0.5&bloom=0.04\
                 &dive=0.03&heading=20&fov=75&t=4.3",
     },

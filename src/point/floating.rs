@@ -93,9 +93,9 @@ impl HullWaves {
         &self.heave_waves
     }
 
-    /// Returns heave (m above still water), pitch and roll of a hull at time `t_s` (s), and how much higher the water is at
-    /// bow and stern than in the middle (m). `bow` is the unit vector (x, z) towards the bow. Pitch is the mean slope of
-    /// the water from stern to bow, roll from port to starboard (both m/m).
+    /// Returns heave (m above still water), pitch and roll of a hull at time `t_s` (s), and how much higher the water
+    /// is at bow and stern than in the middle (m). `bow` is the unit vector (x, z) towards the bow. Pitch is the mean
+    /// slope of the water from stern to bow, roll from port to starboard (both m/m).
     fn heave_pitch_roll_sag(&self, float: &FloatingObject, bow: [f64; 2], t_s: f64) -> [f64; 4] {
         let [length, width] = half_length_and_width_m(float.kind);
         let height = |along: f64, across: f64| {
@@ -111,9 +111,9 @@ impl HullWaves {
     }
 }
 
-/// Heel of a close-hauled cruising yacht of 11 m. The force on the sails grows with the square of the wind speed, until the
-/// crew eases and reefs them. The curve is a fit to 8, 14, 18 and 21 degrees in 4, 6, 8 and 10 m/s of wind, within 1
-/// degree.
+/// Heel of a close-hauled cruising yacht of 11 m. The force on the sails grows with the square of the wind speed, until
+/// the crew eases and reefs them. The curve is a fit to 8, 14, 18 and 21 degrees in 4, 6, 8 and 10 m/s of wind, within
+/// 1 degree.
 fn heel_rad(wind_m_s: f64) -> f64 {
     MAX_HEEL_RAD * (1.0 - (-(wind_m_s / HEEL_WIND_M_S).powf(HEEL_EXPONENT)).exp())
 }

@@ -155,7 +155,8 @@ impl HullImage {
         for (section, &(height_m, [right, astern], [half_length_m, half_width_m], colour)) in
             image.sections.iter_mut().zip(shape)
         {
-            // A yacht that heels dips its wide side to leeward, so that its outline at the water is narrower and lies there.
+            // A yacht that heels dips its wide side to leeward, so that its outline at the water is narrower and lies
+            // there.
             let dips = if speed_m_s > 0.0 && height_m < 0.2 { -starboard.y } else { 0.0 };
             let (right, half_width_m) = (right + 0.9 * dips, half_width_m - 0.6 * dips.abs());
             let off = starboard * right + up * height_m - forward * astern;

@@ -24,8 +24,8 @@ pub struct HullLine {
     pub colour: u32,
 }
 
-/// Place on a sail as two 12-bit fractions: along the chord from the leading edge, and up from the foot. The upper 8 bits
-/// are free for [`in_shade`].
+/// Place on a sail as two 12-bit fractions: along the chord from the leading edge, and up from the foot. The upper 8
+/// bits are free for [`in_shade`].
 pub fn cloth_place([along, up]: [f64; 2]) -> u32 {
     let [along, up] = [along, up].map(|x| (4095.0 * x.clamp(0.0, 1.0)).round() as u32);
     along | up << 12
@@ -36,7 +36,8 @@ pub fn in_shade(cloth: u32, shade: f64) -> u32 {
     cloth | ((255.0 * shade).round() as u32) << 24
 }
 
-/// How much a triangle stops a ray from a point that is at least 5 cm away: 1 within it, falling to 0 towards its edges.
+/// How much a triangle stops a ray from a point that is at least 5 cm away: 1 within it, falling to 0 towards its
+/// edges.
 pub fn shade_of_triangle([a, b, c]: [DVec3; 3], from: DVec3, ray: DVec3) -> f64 {
     let (ab, ac) = (b - a, c - a);
     let turned = ray.cross(ac);

@@ -26,8 +26,8 @@ fn limb(facets: &mut Vec<HullFacet>, joints: &[(DVec3, f64, u32)]) {
     smooth_sheet(facets, &rings, |i| joints[i].2, |_, _| 0);
 }
 
-/// Adds a person who sits at `seat` and looks along `ahead`. `hand` is where the hands are and `foot` where the feet are,
-/// ahead, to the right and above the seat, m.
+/// Adds a person who sits at `seat` and looks along `ahead`. `hand` is where the hands are and `foot` where the feet
+/// are, ahead, to the right and above the seat, m.
 fn person(facets: &mut Vec<HullFacet>, seat: DVec3, ahead: DVec3, [hand, foot]: [DVec3; 2], [jacket, cap]: [u32; 2]) {
     let right = ahead.cross(DVec3::Y);
     let at = |[x, y, z]: [f64; 3]| seat + ahead * x + right * y + DVec3::Y * z;
