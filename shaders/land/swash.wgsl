@@ -52,8 +52,6 @@ const SWASH_SHADOW = 0.45;
 const SWASH_GLOW = 0.16;
 // Stops of light between hollows and lumps of the body, for each deviation of their noise.
 const SWASH_LUMPS = 0.35;
-// Reciprocal of the standard deviation of the noise of lumps.
-const SWASH_PER_DEVIATION = 6.08;
 
 // Part of the water that foam covers at a point (x, z) relative to the one below the eye, by the finest level of the map
 // that holds it, over texels of `size` metres.
@@ -101,20 +99,20 @@ fn swash_foam(at: vec2f, size: f32, film: f32, dir: vec3f) -> SwashFoam {
   if kept.z > 0.02 {
     threads = material_noise(FOAM_THREAD_LAYER, at, lods.z).ra;
   }
-  let z = SWASH_PER_DEVIATION * dot(SWASH_WEIGHTS, vec3f(patches, strands.x, threads.x) - 0.5);
+  let z = FOAM_PER_DEVIATION.z * dot(SWASH_WEIGHTS, vec3f(patches, strands.x, threads.x) - 0.5);
   let edge = maths_normal_quantile(clamp(cover, 1e-4, 1.0 - 1e-4));
   let unresolved = 1.0 - dot(SWASH_WEIGHTS * SWASH_WEIGHTS, kept);
   let layers = swash_layers(z, edge, unresolved);
   out.opacity = dot(SWASH_OPACITY, layers);
-  // The same pattern a step nearer to the sun gives the body slopes and a shadow.
+  // Slope and shadow of the body follow from the difference between the pattern here and at a step towards the sun.
   let across = max(length(l.xz), 1e-3);
   let step_m = max(SWASH_STEP_M, size);
   let ahead = material_noise(FOAM_STRAND_LAYER, at + (step_m / across) * l.xz, lods.y).ra;
-  let before = swash_layers(z + SWASH_PER_DEVIATION * SWASH_WEIGHTS.y * (ahead.x - strands.x), edge, unresolved).y;
-  let lumps = SWASH_PER_DEVIATION * (ahead.y - strands.y);
+  let before = swash_layers(z + FOAM_PER_DEVIATION.z * SWASH_WEIGHTS.y * (ahead.x - strands.x), edge, unresolved).y;
+  let lumps = FOAM_PER_DEVIATION.z * (ahead.y - strands.y);
   let rise = (SWASH_BODY_M / step_m) * (before - layers.y + 0.25 * layers.y * lumps);
   let cosine = max(l.y - across * rise, 0.0) * inverseSqrt(1.0 + rise * rise);
-  let grain = layers.y * SWASH_PER_DEVIATION * (strands.y + 0.6 * threads.y - 0.8);
+  let grain = layers.y * FOAM_PER_DEVIATION.z * (strands.y + 0.6 * threads.y - 0.8);
   let behind = max(dot(dir, l), 0.0);
   let glow = SWASH_GLOW * behind * behind * saturate(8.0 * l.y);
   out.lit = mix(out.lit, cosine, SWASH_FACING) * exp2(SWASH_LUMPS * grain) + glow;

@@ -93,7 +93,8 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
   var seen = 1e-6;
   var distance_sum = near * seen;
   var t = near;
-  // What the last point knew: its depth in the cloud, the way from it to this one, and the light of the cloud there.
+  // Depth in the cloud at the last point of the ray, distance between that point and this one, and the light of the
+  // cloud at the last point inside it.
   var last_inside = -1.0;
   var way = 0.0;
   var lit = vec3f(0.0);

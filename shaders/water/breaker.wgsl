@@ -60,11 +60,13 @@ fn breaker_state(at: vec2f) -> BreakerState {
 const BREAKER_BILLOWS_M = vec4f(1.3, 1.0, 0.5, 0.41);
 const BREAKER_BENDS_M = vec4f(3.7, 4.3, 1.9, 2.3);
 const BREAKER_BILLOW_SPACINGS_M = vec2f(0.25, 0.7);
+// Mean height of billows, relative to the highest one, and its derivatives: coarse meshes have it in their place.
+const BREAKER_MEAN_BILLOWS = vec3f(0.44, 0.0, 0.0);
 
 // Height of the billows of a roller, 0 to 1 (x), and its derivatives along x and z, 1/m (yz): round heaps with creases
-// between. They stay where they are while the front runs over them, so that it churns. Their mean is 0.44.
+// between. They stay where they are while the front runs over them, so that it churns.
 fn breaker_billows(at: vec2f) -> vec3f {
-  let p = frame.coast_uv_below_eye / frame.coast_inverse_side + at;
+  let p = coast_place(at);
   let along = p.x * vec4f(0.8, -0.6, 0.98, 0.2) + p.y * vec4f(0.6, 0.8, -0.2, 0.98);
   let bend = 2.0 * fract(along.yxwz / BREAKER_BENDS_M) - 1.0;
   let off = 2.0 * fract((along - 0.6 * bend * bend) / BREAKER_BILLOWS_M) - 1.0;
@@ -116,7 +118,7 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f) -> BreakerMotion {
   var change_of_roller = vec2f(0.0);
   if surf * foam.value.y > 0.0 {
     let shown = 1.0 - maths_rise(mesh_spacing(length(at)), BREAKER_BILLOW_SPACINGS_M);
-    let billows = vec3f(0.44, 0.0, 0.0) + shown * (breaker_billows(at) - vec3f(0.44, 0.0, 0.0));
+    let billows = mix(BREAKER_MEAN_BILLOWS, breaker_billows(at), shown);
     roller = mix(roller, BREAKER_SURF_ROLLER.x + BREAKER_SURF_ROLLER.y * billows.x, surf);
     change_of_roller = surf * BREAKER_SURF_ROLLER.y * billows.yz;
   }

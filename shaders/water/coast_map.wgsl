@@ -1,5 +1,10 @@
 // The map of a coast: factors of the layers of the wave maps, and the height that the waves run up the land.
 
+// Position (x, z) relative to a corner of the square around the coast, m. `at` is relative to the point below the eye.
+fn coast_place(at: vec2f) -> vec2f {
+  return frame.coast_uv_below_eye / frame.coast_inverse_side + at;
+}
+
 // The map covers the square of the world that encloses the coast. The sampler takes the nearest mip level.
 @group(1) @binding(5) var nearest_mip_sampler: sampler;
 @group(1) @binding(6) var coast_gains_map: texture_2d<f32>;

@@ -28,7 +28,7 @@ fn displace_lobes_m(at: vec2f, spacing: f32) -> f32 {
     return 0.0;
   }
   // Lobes are fixed to the world, so that the edge changes its shape as it runs over them.
-  let place = frame.coast_uv_below_eye / frame.coast_inverse_side + at;
+  let place = coast_place(at);
   let onshore = unpack2x16snorm(frame.breaker_direction);
   let side = dot(place, vec2f(-onshore.y, onshore.x));
   let across = dot(place, onshore) * (1.0 / DISPLACE_LOBE_STRETCH);
@@ -51,11 +51,12 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   // Near the eye, the lattice is centred on the undisplaced position of the water below the eye.
   let foot = frame.undisplaced_below_eye * exp(-radius / (4.0 * frame.max_displacement_m));
   let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
-  let water = water_displacement(at, mesh_spacing(radius), true);
+  let spacing = mesh_spacing(radius);
+  let water = water_displacement(at, spacing, true);
   let breaker = breaker_motion(at, water.displacement.y, water.carried.slope);
   var moved = water.displacement + breaker.moved;
   if WATER_COAST {
-    moved.y += displace_lobes_m(at, mesh_spacing(radius));
+    moved.y += displace_lobes_m(at, spacing);
   }
   let flat = at + moved.xz;
   let drop = dot(flat, flat) / (2.0 * FRAME_EARTH_RADIUS_M);

@@ -171,7 +171,8 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
   return vec2f(rise * inverseSqrt(1.0 + rise * rise), lit);
 }
 
-// What is taken from the grain of foam so that the mean of its light, which grows exponentially with the grain, stays.
+// Correction of the grain of foam: the light of foam grows exponentially with its grain, so without this correction
+// uneven foam would be brighter on average than even foam.
 // `kept` are the resolved fractions of the variance of billows (x) and lumps (y), `turn` is the share of billows.
 fn foam_grain_skew(kept: vec2f, turn: f32) -> f32 {
   let billows = FOAM_BILLOW_GRAIN * turn;

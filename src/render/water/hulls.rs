@@ -127,10 +127,11 @@ impl HullPass {
                 lines.extend(self.lines.iter().flat_map(|line| axes.line_vertices(line)));
             }
         }
-        let largest = self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
-        let foam = yacht_foam(4.0, 0.0).len();
-        let largest = largest + (6 * self.lines.len() + foam).max(3 * self.mast.len());
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
+            let largest = self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
+            // At every speed at which there is white water, it has equally many triangles.
+            let foam = yacht_foam(4.0, 0.0).len();
+            let largest = largest + (6 * self.lines.len() + foam).max(3 * self.mast.len());
             let bytes = (MAX_FLOATING_OBJECTS * largest * size_of::<HullVertex>()) as u64;
             let buffer = gpu.storage_buffer("hulls", bytes);
             let group = gpu.bind_group("hulls", &self.layout, &[buffer.as_entire_binding()]);
