@@ -94,9 +94,12 @@ fn picture(gpu: &Gpu, ocean: &mut Ocean, size: [u32; 2]) -> [Vec<[f16; 4]>; 2] {
     bytes.map(|bytes| bytemuck::pod_collect_to_vec(&bytes.expect("read-back")))
 }
 
-/// Counted operations and reads per vertex of the pass that displaces the mesh of a drawn picture.
-fn displacement(gpu: &Gpu, ocean: &Ocean) -> Executed {
-    let shader = instrument::compute(&text("water/displace"), "main");
+/// Counted operations and reads per vertex of the pass that displaces the mesh of a drawn picture, with the shadows that
+/// waves cast on each other or without.
+fn displacement(gpu: &Gpu, ocean: &Ocean, has_shadows: bool) -> Executed {
+    let switch = "override WATER_SHADOWS: bool =";
+    let shadows = text("water/displace").replace(&format!("{switch} false;"), &format!("{switch} {has_shadows};"));
+    let shader = instrument::compute(&shadows, "main");
     let (vertices, maps) = (ocean.vertex_count(), ocean.maps());
     let frame = render::frame_uniform(&ocean.scene(SIZE_PX), maps, SIZE_PX);
     let frame = common::wgsl::buffer(gpu, bytemuck::bytes_of(&frame), BufferUsages::UNIFORM);
@@ -265,8 +268,12 @@ fn the_costs_of_mesh_and_tone_are_what_they_execute() {
     let params = Params::default();
     let planned = planned_vertex_count(&params, &Plan::new(&params), SIZE_PX);
     assert_eq!(planned, ocean.vertex_count(), "budgets know the number of vertices without a GPU");
+    let mut low_sun = self::ocean(&gpu, &[]);
+    low_sun.set_params(&common::params("sun=5"));
+    picture(&gpu, &mut low_sun, SIZE_PX);
     check(&[
-        ("DISPLACE_VERTEX_COST", displacement(&gpu, &ocean), cost::DISPLACE_VERTEX_COST),
+        ("DISPLACE_VERTEX_COST", displacement(&gpu, &ocean, false), cost::DISPLACE_VERTEX_COST),
+        ("SHADED_DISPLACE_VERTEX_COST", displacement(&gpu, &low_sun, true), cost::SHADED_DISPLACE_VERTEX_COST),
         ("MESH_VERTEX_COST", without_loops("water/light", "mesh_vertex"), cost::MESH_VERTEX_COST),
         ("MESH_FRAGMENT_COST", without_loops("water/light", "mesh_fragment"), cost::MESH_FRAGMENT_COST),
         ("TONE_FRAGMENT_COST", of_pixels(&tone, &shown, 100), cost::TONE_FRAGMENT_COST),

@@ -19,7 +19,7 @@ fn answer(question: Question) -> Answer {
   frame.sun_direction = question[1].xyz;
   var answer = vec4f(water_displacement(at.xy, at.z, false).displacement, 0.0);
   if question[1].w > 0.0 {
-    answer.x = shadow_visible_sun(at.xy, water_round_footprint(at.z));
+    answer.x = shadow_visible_sun(at.xy, water_round_footprint(at.z).mean_m);
   }
   return Answer(answer);
 }

@@ -3,6 +3,11 @@
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read_write> mesh_vertices: array<MeshVertex>;
 
+// Whether waves shade each other; `waves_cast_shadows` in src/render/water/light.rs tells when they do.
+override WATER_SHADOWS: bool = false;
+// Width of a pixel's footprint over which shadows are averaged, relative to its length on the sea.
+const DISPLACE_SHADOW_WIDTH = 0.7;
+
 // Height of the lobes in which water runs up the land, relative to the run-up, and the highest run-up that counts, m.
 const DISPLACE_LOBES = 0.33;
 const DISPLACE_LOBES_RUN_UP_M = 0.8;
@@ -65,6 +70,14 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let slope = waves.slope + breaker.derivatives.slope;
   let stretch = waves.stretch + breaker.derivatives.stretch;
   let shear = waves.shear + breaker.derivatives.shear;
+  var sun = 1.0;
+  if WATER_SHADOWS {
+    let square = dot(at, at);
+    let eye_m = frame.eye_height_m;
+    let pixel_m = frame.pixel_angle * (square + eye_m * eye_m) / max(eye_m, 0.1);
+    sun = shadow_visible_sun(at, max(spacing, DISPLACE_SHADOW_WIDTH * pixel_m));
+  }
+  let shear_and_sun = vec2f(0.5 * (shear.x + shear.y), sun);
   mesh_vertices[vertex] = MeshVertex(
-    place, 0.5 * (shear.x + shear.y), at, pack2x16float(slope), pack2x16float(stretch));
+    place, pack2x16float(shear_and_sun), at, pack2x16float(slope), pack2x16float(stretch));
 }

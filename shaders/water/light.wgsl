@@ -5,10 +5,12 @@
 
 struct MeshFragment {
   @builtin(position) clip: vec4f,
-  // Undisplaced position (x, z) relative to the point below the eye, m, and shear.
-  @location(0) undisplaced_and_shear: vec3f,
-  // Slope and stretch. They and the shear are interpolated between the vertices.
-  @location(1) slope_and_stretch: vec4f,
+  // Undisplaced position (x, z) relative to the point below the eye, m.
+  @location(0) undisplaced: vec2f,
+  // Shear, and the fraction of the sun's disc that waves leave visible.
+  @location(1) shear_and_sun: vec2f,
+  // Slope and stretch. They, the shear and the sun are interpolated between the vertices.
+  @location(2) slope_and_stretch: vec4f,
 }
 
 @vertex
@@ -16,7 +18,7 @@ fn mesh_vertex(@builtin(vertex_index) i: u32) -> MeshFragment {
   let v = mesh_vertices[i];
   let clip = frame.clip_from_relative * vec4f(v.position, 1.0);
   let carried = vec4f(unpack2x16float(v.slope), unpack2x16float(v.stretch));
-  return MeshFragment(clip, vec3f(v.undisplaced, v.shear), carried);
+  return MeshFragment(clip, v.undisplaced, unpack2x16float(v.shear_and_sun), carried);
 }
 
 // The water that a pixel shows, in 20 bytes (`G_BUFFER_FORMATS` in src/render/targets.rs); its distance is in the depth
@@ -26,16 +28,39 @@ struct GBuffer {
   @location(0) undisplaced: vec2f,
   // Slope and stretch that the mesh carries.
   @location(1) slope_and_stretch: vec4f,
-  // Mean of the two shears that the mesh carries, and the longer side of the pixel on the undisplaced sea, m.
+  // Mean of the two shears that the mesh carries; the longer side of the pixel on the undisplaced sea, m, with the
+  // hidden fraction of the sun's disc in its lowest bits (mesh_side_with_sun).
   @location(2) shear_and_side: vec2f,
 }
 
+// The lowest bits of a half float that hold the hidden fraction of the sun's disc, as a mask and as the largest value. Three
+// bits of the number are left, so that it is rounded up by at most an eighth.
+const MESH_SUN_BITS = 127u;
+// Mean ratio of a side to its rounded value.
+const MESH_SIDE_ROUNDING = 0.95;
+// Range of the sides that a G-buffer holds, m: above the smallest normal half float.
+const MESH_SIDES_M = vec2f(1.3e-4, 6e4);
+
+// The longer side of a pixel, m, rounded up to a half float whose lowest bits hold the hidden fraction of the sun's disc.
+// The side limits the derivatives of the position, so that one that is too large changes nothing within a wave.
+fn mesh_side_with_sun(side_m: f32, sun: f32) -> f32 {
+  let bits = pack2x16float(vec2f(clamp(side_m, MESH_SIDES_M.x, MESH_SIDES_M.y), 0.0)) + MESH_SUN_BITS;
+  return unpack2x16float((bits & ~MESH_SUN_BITS) | u32(f32(MESH_SUN_BITS) * (1.0 - sun) + 0.5)).x;
+}
+
+// The longer side of a pixel, m, and the visible fraction of the sun's disc, from mesh_side_with_sun of any sign.
+fn mesh_side_and_sun(packed: f32) -> vec2f {
+  let bits = pack2x16float(vec2f(abs(packed), 0.0));
+  return vec2f(unpack2x16float(bits & ~MESH_SUN_BITS).x, 1.0 - f32(bits & MESH_SUN_BITS) / f32(MESH_SUN_BITS));
+}
+
 fn mesh_g_buffer(in: MeshFragment) -> GBuffer {
-  let at = in.undisplaced_and_shear.xy;
+  let at = in.undisplaced;
   let dx = dpdx(at);
   let dy = dpdy(at);
-  let side_m = min(sqrt(max(dot(dx, dx), dot(dy, dy))), 6e4);
-  return GBuffer(at, in.slope_and_stretch, vec2f(in.undisplaced_and_shear.z, side_m));
+  let side_m = sqrt(max(dot(dx, dx), dot(dy, dy)));
+  let side = mesh_side_with_sun(side_m, in.shear_and_sun.y);
+  return GBuffer(at, in.slope_and_stretch, vec2f(in.shear_and_sun.x, side));
 }
 
 @fragment
@@ -77,7 +102,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     discard;
   }
   let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
-  let side_m = abs(shear_and_side.y);
+  let side_and_sun = mesh_side_and_sun(shear_and_side.y);
+  let side_m = side_and_sun.x;
   // Fine derivatives, because coarse ones may come from the other row of a quad of pixels, which may show the sky.
   let x = water_pixel_side(dpdxFine(at), side_m);
   let y = water_pixel_side(dpdyFine(at), side_m);
@@ -87,7 +113,13 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let point = WaterPoint(place, at, water_height_m(place));
   let gust = water_gust_gain(at, foot.length_m);
   var slope: WaterSlope;
+  if WATER_SHADOWS {
+    shadow_sun_fraction = side_and_sun.y;
+  }
   if WATER_POINT_SAMPLES {
+    if WATER_SHADOWS {
+      shadow_sun_fraction = shadow_visible_sun(at, foot.mean_m);
+    }
     // Slopes interpolated between the vertices are linear there; a sample needs the slope at its point.
     let breaker = breaker_motion(at, point.height, textureLoad(slope_and_stretch_map, pixel, 0).xy);
     slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, gust);
@@ -119,5 +151,7 @@ fn lean_fragment(in: LightFragment) -> @location(0) vec4f {
   let shear_and_side = textureLoad(shear_and_side_map, pixel, 0).xy;
   let mesh = textureLoad(slope_and_stretch_map, pixel, 0);
   let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
-  return lean_radiance(WaterPoint(place, at, water_height_m(place)), abs(shear_and_side.y), carried);
+  // Waves cast no shadows in the lean tier.
+  let side_m = MESH_SIDE_ROUNDING * abs(shear_and_side.y);
+  return lean_radiance(WaterPoint(place, at, water_height_m(place)), side_m, carried);
 }

@@ -1,5 +1,6 @@
 // Shadows of waves on waves while the sun is low. A ray from the water towards the sun is compared with the heights of
-// the waves of the maps along it. Waves within a pixel shade each other statistically (Smith's shadowing in facets.wgsl).
+// the waves of the maps along it, once for each vertex of the mesh, which are far fewer than the pixels. Waves within a
+// pixel shade each other statistically (Smith's shadowing in facets.wgsl).
 
 // Number of cascades that cast shadows, and of steps along the ray.
 const SHADOW_CASCADES = 4u;
@@ -15,6 +16,9 @@ const SHADOW_LEAST_RISE = 0.15;
 const SHADOW_FARTHEST = 60.0;
 // Length of a pixel on the sea, in significant wave heights, at which shadows begin to fade into statistics.
 const SHADOW_FADE_START = 1.5;
+
+// Texel size at which heights are read, relative to the width that a height is the mean over (footprint.wgsl tells why).
+const SHADOW_TEXEL_RATIO = 0.58;
 
 // Copies of the patches that are visible at the start of a ray: texture coordinates there, and weight. They serve for
 // the whole ray, over which the weights change little, and so the heights keep their variance.
@@ -88,9 +92,10 @@ fn shadow_displacement(copies: ptr<function, ShadowCopies>, off: vec2f, log_size
   return sum * vec3f(frame.choppiness.x, 1.0, frame.choppiness.y);
 }
 
-// Fraction of the sun's disc that the waves leave visible from an undisplaced position, averaged over a footprint.
-fn shadow_visible_sun(at: vec2f, foot: WaterFootprint) -> f32 {
-  let fade = 1.0 - maths_smooth(foot.mean_m / (SHADOW_FADE_START * frame.hs_m) - 1.0);
+// Fraction of the sun's disc that the waves leave visible from an undisplaced position, averaged over a footprint that
+// is `size_m` metres wide.
+fn shadow_visible_sun(at: vec2f, size_m: f32) -> f32 {
+  let fade = 1.0 - maths_smooth(size_m / (SHADOW_FADE_START * frame.hs_m) - 1.0);
   if fade <= 0.0 {
     return 1.0;
   }
@@ -98,14 +103,14 @@ fn shadow_visible_sun(at: vec2f, foot: WaterFootprint) -> f32 {
   let over_across = inverseSqrt(max(dot(l.xz, l.xz), 1e-6));
   let toward = l.xz * over_across;
   let rise = max(l.y * over_across, 1e-3);
-  let log_pixel_m = log2(max(WATER_TAP_TEXEL_RATIO * foot.mean_m, 1e-6));
+  let log_pixel_m = log2(max(SHADOW_TEXEL_RATIO * size_m, 1e-6));
   var copies = shadow_copies(at);
   let start = shadow_displacement(&copies, vec2f(0.0), log_pixel_m);
   let to_crest_m = max(SHADOW_HIGHEST_CREST * frame.hs_m - start.y, SHADOW_LEAST_RISE * frame.hs_m);
   let length_m = min(to_crest_m / rise, SHADOW_FARTHEST * frame.hs_m);
   // Half the height of the sun's disc per metre, and half that of a pixel. Water beside the start is no obstacle.
   let disc = min(sqrt(8.0 * frame.sun_slope_variance), 0.5 * rise);
-  let pixel_m = 0.5 * foot.mean_m * max(rise, 0.1);
+  let pixel_m = 0.5 * size_m * max(rise, 0.1);
   var moved = vec2f(0.0);
   // Clearances of the ray, in half widths of the penumbra, at the last three steps, and the least. The first step is no
   // lowest point.

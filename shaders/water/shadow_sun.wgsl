@@ -1,6 +1,6 @@
 // The sunlight that clouds, waves, land and floating objects let through to the point that is lit.
 
-// Whether waves shade each other; `casts_shadows` in src/render/water/light.rs tells when they do.
+// Whether waves shade each other; `waves_cast_shadows` in src/render/water/light.rs tells when they do.
 override WATER_SHADOWS: bool = false;
 
 // Whether something floats, which the water mirrors and which shades it (shaders/water/hull_image.wgsl).

@@ -63,8 +63,6 @@ fn water_gradient_mean(
 // Mip level of the displacement map from which shears, and the change of weights between copies, are left out.
 const WATER_SHEAR_LOD = 1.0;
 
-// Weight of a copy of a patch up to which it is left out, because it is not seen.
-const WATER_LEAST_COPY_WEIGHT = 0.008;
 // Weight of a copy of a patch from which it is interpolated by a spline.
 const WATER_SPLINE_COPY_WEIGHT = 0.5;
 

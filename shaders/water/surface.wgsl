@@ -18,6 +18,9 @@ fn water_add_patch_copy(sums: WaterDerivatives, g: vec4f, d: vec4f, weight: vec3
     sums.shear + weight.x * d.ww + weight.zy * d.xz);
 }
 
+// Weight of a copy of a patch up to which it is left out, because it is not seen.
+const WATER_LEAST_COPY_WEIGHT = 0.008;
+
 // Shortest wavelength of a cascade, in spacings of the mesh, from which vertices carry all of its slopes (x), and below
 // which they carry none (y). Vertices read slopes only where maps are magnified (water_displacement): waves count as at
 // most WATER_CARRIED_SPACINGS.y texels long (`shortest_carried_wave_m` in src/render/frame.rs).

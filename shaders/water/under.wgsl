@@ -106,7 +106,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let pixel = vec2i(in.clip.xy);
   let is_water = textureLoad(depth_map, pixel, 0) > 0.0;
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
-  let side_m = abs(textureLoad(shear_and_side_map, pixel, 0).y);
+  let side_m = mesh_side_and_sun(textureLoad(shear_and_side_map, pixel, 0).y).x;
   let x = water_pixel_side(dpdxFine(at), side_m);
   let y = water_pixel_side(dpdyFine(at), side_m);
   let dx = frame.footprint_scale * x.side;

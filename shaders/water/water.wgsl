@@ -80,10 +80,6 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
   }
-  if WATER_SHADOWS && cloud_sun_fraction > 0.01 {
-    shadow_sun_fraction = shadow_visible_sun(point.undisplaced, foot);
-  }
-
   if WATER_HULLS {
     shadow_sun_fraction *=
       hull_image_sunlight(hull_image_place(point.position, point.height), frame.pixel_angle / nearness);

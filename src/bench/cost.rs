@@ -132,11 +132,14 @@ pub struct ShaderCost {
 }
 
 /// Cost per vertex of the compute pass that displaces the sea mesh.
-pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { ops: 1069.6, reads: 15.8, max_ops: 1930.0, max_reads: 47.0 };
+pub const DISPLACE_VERTEX_COST: ShaderCost = ShaderCost { ops: 1072.3, reads: 15.8, max_ops: 1946.0, max_reads: 47.0 };
+/// As [`DISPLACE_VERTEX_COST`], with the shadows that waves cast on each other while the sun stands at 5 degrees.
+pub const SHADED_DISPLACE_VERTEX_COST: ShaderCost =
+    ShaderCost { ops: 2811.0, reads: 36.7, max_ops: 6583.0, max_reads: 121.0 };
 /// Cost per vertex of the vertex shader that draws the already displaced sea mesh.
-pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 36.0, reads: 0.0, max_ops: 36.0, max_reads: 0.0 };
+pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 38.0, reads: 0.0, max_ops: 38.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
-pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 21.0, reads: 0.0, max_ops: 21.0, max_reads: 0.0 };
+pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 31.0, reads: 0.0, max_ops: 31.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
 pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2952.3, reads: 29.9, max_ops: 5170.0, max_reads: 57.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the lean tier.
@@ -164,6 +167,8 @@ pub struct PictureContents {
     pub map_bytes: f64,
     /// Cost per sea pixel of the light's shader: [`LIGHT_FRAGMENT_COST`] or [`LEAN_LIGHT_FRAGMENT_COST`].
     pub light: ShaderCost,
+    /// Cost per vertex of displacing the mesh: [`DISPLACE_VERTEX_COST`] or [`SHADED_DISPLACE_VERTEX_COST`].
+    pub displace: ShaderCost,
 }
 
 impl PictureContents {
@@ -172,7 +177,7 @@ impl PictureContents {
     pub fn mesh_cost(&self) -> Cost {
         let seen = self.pixels * self.sea_fraction;
         Cost::of_bytes(88.0 * self.vertices + 24.0 * seen + 2.0 * self.map_bytes)
-            + Cost::of_shader(&DISPLACE_VERTEX_COST, self.vertices)
+            + Cost::of_shader(&self.displace, self.vertices)
             + Cost::of_shader(&MESH_VERTEX_COST, self.vertices)
             + Cost::of_shader(&MESH_FRAGMENT_COST, seen)
     }

@@ -206,7 +206,7 @@ async fn time_picture(clock: &Stopwatch<'_>, params: &Params, size: [u32; 2]) ->
         cost: None,
         dispatches: None,
     };
-    let work = FrameWork::new(&params.camera, size, ocean.map_sizes(), ocean.vertex_count());
+    let work = FrameWork::new(params, ocean.plan(), size, ocean.map_sizes(), ocean.vertex_count());
     let counted = work.picture;
     let mut out = Vec::new();
     for (pass, part) in [

@@ -3,10 +3,10 @@
 use super::budget::{Assumptions, GPU_CLASSES};
 use super::cost::{self, Cost, PictureContents};
 use crate::ocean::passes::{MapSizes, planned_vertex_count};
+use crate::render::waves_cast_shadows;
 use crate::state::Params;
 use crate::state::camera::View;
-use crate::state::params::Camera;
-use crate::waves::Plan;
+use crate::waves::{Plan, slopes};
 use std::fmt;
 
 /// Sizes from which the work of the passes of one frame is counted.
@@ -21,10 +21,14 @@ pub struct FrameWork {
 }
 
 impl FrameWork {
-    /// Work of a frame of `size` (width, height) pixels that `camera` sees, with a mesh of `vertices`.
-    pub fn new(camera: &Camera, size: [u32; 2], maps: MapSizes, vertices: u32) -> Self {
+    /// Work of a frame of `size` (width, height) pixels of `params`, whose waves are those of `plan`, with a mesh of
+    /// `vertices`.
+    pub fn new(params: &Params, plan: &Plan, size: [u32; 2], maps: MapSizes, vertices: u32) -> Self {
         let [width, height] = size.map(f64::from);
+        let camera = &params.camera;
         let view = View::new(camera, width / height, 0.0);
+        let sun_deg = params.look.sky.sun_elevation_azimuth_deg()[0];
+        let has_shadows = waves_cast_shadows(sun_deg, slopes::resolved_slope_variance(plan));
         // With a level view, the lower half of the picture is below the horizon.
         let horizon = (-camera.pitch_deg.to_radians()).tan() / view.tan_half_fov[1];
         let texels = f64::from(maps.map_texels_per_side).powi(2) * f64::from(maps.cascades) * 4.0 / 3.0;
@@ -34,6 +38,7 @@ impl FrameWork {
             vertices: f64::from(vertices),
             map_bytes: texels * f64::from(maps.format.bytes_per_texel()),
             light: cost::LIGHT_FRAGMENT_COST,
+            displace: if has_shadows { cost::SHADED_DISPLACE_VERTEX_COST } else { cost::DISPLACE_VERTEX_COST },
         };
         Self { size, maps, picture }
     }
@@ -41,6 +46,7 @@ impl FrameWork {
     /// Work of this frame when the cheaper of the two light shaders, `detail=lean`, lights the sea.
     pub fn lean(mut self) -> Self {
         self.picture.light = cost::LEAN_LIGHT_FRAGMENT_COST;
+        self.picture.displace = cost::DISPLACE_VERTEX_COST;
         self
     }
 
@@ -48,7 +54,7 @@ impl FrameWork {
     pub fn planned(params: &Params, size: [u32; 2]) -> Self {
         let plan = Plan::new(params);
         let vertices = planned_vertex_count(params, &plan, size);
-        Self::new(&params.camera, size, MapSizes::planned(&plan), vertices)
+        Self::new(params, &plan, size, MapSizes::planned(&plan), vertices)
     }
 
     /// Names and costs of the passes.

@@ -67,9 +67,11 @@ impl HullWaves {
     /// Selects the strongest waves of a planned sea, from which the motions of floating hulls are computed.
     pub fn new(plan: &Plan) -> Self {
         let plan = &plan.with_fft_size_at_most(MAX_FFT_SIZE_FOR_FLOATING_OBJECTS);
+        let rms_m = MAX_HEIGHT_ERROR_TO_HS * plan.hs_m();
+        let [heave_waves, tilt_waves] = StrongestWaves::for_height_error_and_count(plan, rms_m, TILT_WAVE_COUNT);
         Self {
-            heave_waves: StrongestWaves::for_height_error(plan, MAX_HEIGHT_ERROR_TO_HS * plan.hs_m()),
-            tilt_waves: StrongestWaves::new(plan, TILT_WAVE_COUNT),
+            heave_waves,
+            tilt_waves,
             upwind: plan.downwind.map(|d| -d),
             wind_m_s: plan.sea.first_system().wind_m_s,
             still_water_level_m: plan.sea.still_water_level_m,

@@ -23,6 +23,7 @@ pub use reference::{ReferenceRenderer, SampleGrid};
 pub use scene::{FadingSea, Scene, SeaAppearance};
 pub use targets::OutputKind;
 pub use water::hull_images::HullImages;
+pub use water::light::waves_cast_shadows;
 pub use water::material::MaterialUniform;
 pub use water::noise::NoiseTexture;
 

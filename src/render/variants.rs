@@ -84,37 +84,50 @@ impl<P: Copy + PartialEq> PipelineVariants<P> {
     }
 }
 
-/// A compute pipeline in two variants: for the open sea, and for a sea that runs up to a coast. A variant is compiled at
-/// its first use, that of the open sea at once.
-pub struct CoastalPipeline {
+/// A compute pipeline in variants by `N` switches of its shader, each compiled at its first use; the one with all
+/// switches off is compiled at once.
+pub struct ComputeVariants<const N: usize> {
     label: &'static str,
     module: wgpu::ShaderModule,
     layouts: Vec<wgpu::BindGroupLayout>,
-    made: [Option<wgpu::ComputePipeline>; 2],
-    has_coast: bool,
+    /// Names of the override constants that the switches set.
+    switches: [&'static str; N],
+    /// The variants made so far; the selected one is the last.
+    made: Vec<([bool; N], wgpu::ComputePipeline)>,
 }
 
-impl CoastalPipeline {
-    /// Compiles the entry point `main` of a module, for the open sea. `layouts` are those of the bind groups 0, 1, 2 ...
-    pub fn new(gpu: &Gpu, label: &'static str, module: wgpu::ShaderModule, layouts: &[&wgpu::BindGroupLayout]) -> Self {
+impl<const N: usize> ComputeVariants<N> {
+    /// Compiles the entry point `main` of a module with all `switches` off. `layouts` are those of the bind groups 0, 1,
+    /// 2 ...
+    pub fn new(
+        gpu: &Gpu,
+        label: &'static str,
+        module: wgpu::ShaderModule,
+        layouts: &[&wgpu::BindGroupLayout],
+        switches: [&'static str; N],
+    ) -> Self {
         let layouts = layouts.iter().map(|layout| (*layout).clone()).collect();
-        let mut pipeline = Self { label, module, layouts, made: [None, None], has_coast: false };
-        pipeline.select(gpu, false);
+        let mut pipeline = Self { label, module, layouts, switches, made: Vec::new() };
+        pipeline.select(gpu, [false; N]);
         pipeline
     }
 
     /// Selects the variant for [`Self::selected`].
-    pub fn select(&mut self, gpu: &Gpu, has_coast: bool) {
-        self.has_coast = has_coast;
+    pub fn select(&mut self, gpu: &Gpu, are_on: [bool; N]) {
+        if let Some(at) = self.made.iter().position(|(made, _)| *made == are_on) {
+            let last = self.made.len() - 1;
+            self.made.swap(at, last);
+            return;
+        }
         let layouts: Vec<_> = self.layouts.iter().collect();
-        let constants = [switch_constant("WATER_COAST", has_coast)];
-        self.made[usize::from(has_coast)]
-            .get_or_insert_with(|| gpu.compute_pipeline(self.label, (&self.module, "main"), &layouts, &constants));
+        let constants: [_; N] = std::array::from_fn(|i| switch_constant(self.switches[i], are_on[i]));
+        let compiled = gpu.compute_pipeline(self.label, (&self.module, "main"), &layouts, &constants);
+        self.made.push((are_on, compiled));
     }
 
     /// The variant selected last.
     pub fn selected(&self) -> Option<&wgpu::ComputePipeline> {
-        self.made[usize::from(self.has_coast)].as_ref()
+        self.made.last().map(|(_, pipeline)| pipeline)
     }
 }
 

@@ -171,7 +171,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("sky/mirrored", &[MIRRORED_MAP, part!("sky/mirrored.wgsl")]),
     ("sky/light", &[SKY, part!("sky/light.wgsl")]),
     ("sky/background", &[MATHS, NOISE, PICTURE, CLOUDY_SKY, part!("sky/background.wgsl")]),
-    ("water/displace", &[BARE_SURFACE, part!("water/displace.wgsl")]),
+    ("water/displace", &[BARE_SURFACE, part!("water/shadow.wgsl"), part!("water/displace.wgsl")]),
     ("water/eye", &[BARE_SURFACE, part!("water/eye.wgsl")]),
     ("water/light", &[WATER, LEAN, LIT_PIXEL, part!("water/light.wgsl")]),
     (

@@ -104,6 +104,25 @@ pub struct SurfaceSample {
     pub converged: bool,
 }
 
+/// The waves of a plan by decreasing variance.
+fn ranked_waves(plan: &Plan) -> Vec<CandidateWave> {
+    let mut waves = candidate_waves(plan);
+    waves.sort_unstable_by(CandidateWave::by_decreasing_variance);
+    waves
+}
+
+/// Number of the first of `waves`, sorted by decreasing variance, that keep the rms height of the others at or below
+/// `rms_m` (m).
+fn count_for_height_error(waves: &[CandidateWave], rms_m: f64) -> usize {
+    let allowed_m2 = if rms_m > 0.0 { rms_m * rms_m } else { 0.0 };
+    let mut left_out_m2 = 0.0;
+    let dropped = waves.iter().rev().take_while(|wave| {
+        left_out_m2 += wave.variance();
+        left_out_m2 <= allowed_m2
+    });
+    waves.len() - dropped.count()
+}
+
 impl StrongestWaves {
     /// Selects the strongest waves of a planned sea, those of the largest variance, at most `wave_count` of them.
     pub fn new(plan: &Plan, wave_count: usize) -> Self {
@@ -118,16 +137,17 @@ impl StrongestWaves {
     /// Selects the strongest waves of a planned sea, as few as keep the rms height of the omitted waves at or below
     /// `rms_m` (m). If `rms_m` is 0, negative or NaN, all waves are selected.
     pub fn for_height_error(plan: &Plan, rms_m: f64) -> Self {
-        let mut waves = candidate_waves(plan);
-        waves.sort_unstable_by(CandidateWave::by_decreasing_variance);
-        let allowed_m2 = if rms_m > 0.0 { rms_m * rms_m } else { 0.0 };
-        let mut left_out_m2 = 0.0;
-        let dropped = waves.iter().rev().take_while(|wave| {
-            left_out_m2 += wave.variance();
-            left_out_m2 <= allowed_m2
-        });
-        let count = waves.len() - dropped.count();
+        let waves = ranked_waves(plan);
+        let count = count_for_height_error(&waves, rms_m);
         Self::from_waves(plan, waves, count)
+    }
+
+    /// The waves of [`Self::for_height_error`] and those of [`Self::new`], in this order, for the time that one of them
+    /// takes: a plan has many thousand waves to choose from.
+    pub(crate) fn for_height_error_and_count(plan: &Plan, rms_m: f64, wave_count: usize) -> [Self; 2] {
+        let waves = ranked_waves(plan);
+        let counts = [count_for_height_error(&waves, rms_m), wave_count.min(waves.len())];
+        counts.map(|count| Self::from_waves(plan, waves.clone(), count))
     }
 
     /// Selects the first `count` of `waves`; the others only count in `residual_rms_m` and `residual_slope_rms`.

@@ -59,6 +59,7 @@ impl FourWaves {
 }
 
 /// A wave that the seed of a plan generates: a candidate for the selection of the strongest waves.
+#[derive(Clone)]
 pub(super) struct CandidateWave {
     /// Index of the cascade to which the wave belongs.
     pub(super) cascade_index: usize,

@@ -8,7 +8,7 @@ use crate::gpu::layout::gpu_struct;
 use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
-use crate::render::variants::CoastalPipeline;
+use crate::render::variants::ComputeVariants;
 use crate::shaders::Shaders;
 
 gpu_struct! {
@@ -16,9 +16,10 @@ gpu_struct! {
     pub struct MeshVertex as "MeshVertex" {
         /// Displaced position (x east, y up, z south) relative to the eye, m, lowered by the curvature of the Earth.
         position: [f32; 3],
-        /// Mean shear of the waves that are long compared with vertex spacing and pixels at this vertex. Like `slope`
-        /// and `stretch`, it is interpolated between vertices when the mesh is drawn (WGSL `WaterDerivatives`).
-        shear: f32,
+        /// Mean shear of the waves that are long compared with vertex spacing and pixels at this vertex, and the fraction
+        /// of the sun's disc that waves leave visible (1 if they cast no shadows), as two half floats. Like `slope` and
+        /// `stretch`, they are interpolated between vertices when the mesh is drawn (WGSL `WaterDerivatives`).
+        shear_and_sun: u32,
         /// Undisplaced position (x, z) relative to the point below the eye, m.
         undisplaced: [f32; 2],
         /// Slope of the same waves along x and z, as two half floats.
@@ -46,7 +47,8 @@ const WORKGROUP_SIDE: u32 = 8;
 
 /// The displaced water mesh: compute pass that displaces its vertices by the waves, buffers, and draw call.
 pub struct DisplacePass {
-    pipeline: CoastalPipeline,
+    /// Variants by whether the sea runs up to a coast, and whether waves shade each other.
+    pipeline: ComputeVariants<2>,
     layout: wgpu::BindGroupLayout,
     frame: wgpu::Buffer,
     /// Bind group layout for passes that draw the mesh: vertices at binding 0.
@@ -74,7 +76,7 @@ impl DisplacePass {
         ];
         let layout = gpu.bind_group_layout("mesh", wgpu::ShaderStages::COMPUTE, &bindings);
         let module = shaders.module(gpu, "water/displace");
-        let pipeline = CoastalPipeline::new(gpu, "mesh", module, &[&layout, maps]);
+        let pipeline = ComputeVariants::new(gpu, "mesh", module, &[&layout, maps], ["WATER_COAST", "WATER_SHADOWS"]);
         let vertex = wgpu::ShaderStages::VERTEX;
         let vertices_layout =
             gpu.bind_group_layout("mesh/drawn", vertex, &[BindingType::StorageRead(MESH_VERTEX_BYTES as usize)]);
@@ -110,9 +112,9 @@ impl DisplacePass {
         });
     }
 
-    /// Selects the pipeline for the open sea, or for a sea that runs up to a coast.
-    pub fn select_pipeline(&mut self, gpu: &Gpu, has_coast: bool) {
-        self.pipeline.select(gpu, has_coast);
+    /// Selects the pipeline for a sea that may run up to a coast, and whose waves may shade each other.
+    pub fn select_pipeline(&mut self, gpu: &Gpu, has_coast: bool, has_shadows: bool) {
+        self.pipeline.select(gpu, [has_coast, has_shadows]);
     }
 
     /// Number of mesh vertices that the current view displaces; 0 before a mesh is set.

@@ -7,14 +7,14 @@ use crate::gpu::timer::Timer;
 use crate::gpu::uniform::Uniform;
 use crate::render::frame::FrameUniform;
 use crate::render::scene::Scene;
-use crate::render::variants::CoastalPipeline;
+use crate::render::variants::ComputeVariants;
 use crate::shaders::Shaders;
 
 /// Compute pass that changes the eye's height in the frame uniform: on a buoy, it adds the height of the water below;
 /// then it raises the eye where needed to stay above the waves around it. If the eye dives, it measures the surface there
 /// instead.
 pub struct EyePass {
-    pipeline: CoastalPipeline,
+    pipeline: ComputeVariants<1>,
     group: wgpu::BindGroup,
 }
 
@@ -24,14 +24,14 @@ impl EyePass {
         let bindings = [BindingType::StorageReadWrite(size_of::<FrameUniform>())];
         let layout = gpu.bind_group_layout("eye", wgpu::ShaderStages::COMPUTE, &bindings);
         let module = shaders.module(gpu, "water/eye");
-        let pipeline = CoastalPipeline::new(gpu, "eye", module, &[&layout, water.maps_layout()]);
+        let pipeline = ComputeVariants::new(gpu, "eye", module, &[&layout, water.maps_layout()], ["WATER_COAST"]);
         let group = gpu.bind_group("eye", &layout, &[frame.buffer.as_entire_binding()]);
         Self { pipeline, group }
     }
 
     /// Selects the pipeline for a scene.
     pub fn select_pipeline(&mut self, gpu: &Gpu, scene: &Scene) {
-        self.pipeline.select(gpu, scene.has_coast);
+        self.pipeline.select(gpu, [scene.has_coast]);
     }
 
     /// Records the pass for the frame of `scene`; nothing if the eye is at a fixed height that no wave reaches.

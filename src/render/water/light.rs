@@ -73,7 +73,7 @@ const SUNSET_DEG: f64 = -0.9;
 const SHADOW_DEVIATIONS: f64 = 2.5;
 
 /// Whether the sun is so low that some of the waves of the maps, with these slope variances, shade others.
-fn casts_shadows(elevation_deg: f64, [along, across]: SlopeVariance) -> bool {
+pub fn waves_cast_shadows(elevation_deg: f64, [along, across]: SlopeVariance) -> bool {
     let steepest = SHADOW_DEVIATIONS * along.max(across).sqrt();
     elevation_deg > SUNSET_DEG && elevation_deg.to_radians().tan() < steepest
 }
@@ -91,7 +91,10 @@ impl WaterLightVariant {
             coast: scene.has_coast,
             gusts: surface.reflection.gusts > 0.0,
             glints: surface.reflection.glints && output != OutputKind::Reference,
-            shadows: casts_shadows(scene.look.sky.sun_elevation_azimuth_deg()[0], scene.sea.resolved_slope_variance),
+            shadows: waves_cast_shadows(
+                scene.look.sky.sun_elevation_azimuth_deg()[0],
+                scene.sea.resolved_slope_variance,
+            ),
             blinn_phong: surface.reflection.specular == MicrofacetDistribution::BlinnPhong,
             ggx: surface.reflection.specular == MicrofacetDistribution::Ggx,
             schlick: surface.reflection.fresnel == FresnelFormula::Schlick,
@@ -104,6 +107,12 @@ impl WaterLightVariant {
             dives: scene.dives(),
             is_lean: scene.is_lean && output != OutputKind::Reference,
         }
+    }
+
+    /// Whether the vertices of the mesh tell how waves shade each other. The lean tier has no such shadows, and a
+    /// reference finds them for each of its samples.
+    fn shades_vertices(self) -> bool {
+        self.shadows && !self.is_lean && !self.point_samples
     }
 
     pub fn constants(self) -> [(&'static str, f64); 19] {
@@ -218,7 +227,7 @@ impl WaterPass {
         let (gpu, module, format) = (gpu.clone(), self.module.clone(), self.scene.output.format());
         let layouts = [&self.scene.layout, &self.maps_layout, &self.g_buffer_layout].map(Clone::clone);
         let parts = WaterLightVariant::new(scene, self.scene.output);
-        self.mesh.select_pipeline(&gpu, scene.has_coast);
+        self.mesh.select_pipeline(&gpu, parts.coast, parts.shades_vertices());
         self.light_pipelines.select(parts, scene.may_keep_pipelines, move || {
             let program = RenderProgram {
                 module: &module,
@@ -308,7 +317,7 @@ mod tests {
     #[test]
     fn only_a_low_sun_on_a_steep_sea_casts_shadows() {
         let casts = |state: &str, elevation_deg: f64| {
-            casts_shadows(elevation_deg, slopes::resolved_slope_variance(&Plan::new(&query::parse(state).0)))
+            waves_cast_shadows(elevation_deg, slopes::resolved_slope_variance(&Plan::new(&query::parse(state).0)))
         };
         assert!(casts("", 5.0) && casts("", 12.0));
         assert!(!casts("", 30.0) && !casts("", -2.0));
