@@ -31,11 +31,12 @@ pub const GPU_CLASSES: [GpuClass; 8] = [
     class("UHD 620", 120.0, 34.0, FULL_HD),
     class("Mali-G78", 250.0, 51.0, PHONE),
     class("Adreno 660", 340.0, 51.0, PHONE),
+    // Measured (docs/performance.md): 4 of its 132 multiprocessors draw pixels.
+    class("H200", 510.0, 845.0, [3840, 2160]),
     class("Iris Xe", 600.0, 68.0, FULL_HD),
     class("M1", 900.0, 68.0, [2560, 1600]),
     class("GTX 1060", 1400.0, 192.0, FULL_HD),
     class("RTX 4070", 7000.0, 504.0, [2560, 1440]),
-    class("H200", 16000.0, 4800.0, [3840, 2160]),
 ];
 
 impl GpuClass {
