@@ -47,12 +47,14 @@ fn water_glint_cell(cell: vec2u, expected: f32) -> f32 {
 }
 
 // Light of the glints in a pixel, divided by the expected light; its mean is 1. `density` is that of the slopes that
-// mirror the sun. Each cell of glints lies around a corner that four pixels share, so that a glint is no single pixel.
+// mirror the sun. A glint is a dash of four pixels that is brightest in its middle: the crests of ripples are long, and
+// seen from low above they are longest across the view.
 fn water_glint_gain(glints: WaterGlints, density: f32) -> f32 {
   let expected = max(WATER_GLINTS_PER_DENSITY * glints.area_m2 * density, 1e-4);
   var sum = 0.0;
   for (var i = 0u; i < 4u; i++) {
-    sum += water_glint_cell(glints.pixel + vec2u(i & 1u, i >> 1u), expected);
+    let weight = select(1.0, 2.0, i == 1u || i == 2u);
+    sum += weight * water_glint_cell(glints.pixel + vec2u(i, 0u), expected);
   }
-  return 0.25 * sum;
+  return (1.0 / 6.0) * sum;
 }
