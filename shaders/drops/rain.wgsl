@@ -6,7 +6,7 @@
 
 const RAIN_CLASSES = 8u;
 // Exposure time in which a drop draws its streak, s.
-const RAIN_EXPOSURE_S = 0.006;
+const RAIN_EXPOSURE_S = 0.016;
 // Share of sunlight that a drop refracts forwards, and the asymmetry of that lobe; share of the skylight, 1/sr.
 const RAIN_FORWARD_SHARE = 0.5;
 const RAIN_ASYMMETRY = 0.7;

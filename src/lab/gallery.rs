@@ -103,7 +103,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Rain",
         description: "Rain from a broken deck: streaks, rings and splashes of drops, and a low sun behind the veil.",
-        state: "v=2&wind=5&fetch=20&sun=8&sunaz=25&overcast=0.4&clouds=stratocumulus&cloudcover=0.9&rain=25&squalls=0.5\
+        state: "v=2&wind=5&fetch=20&sun=8&sunaz=25&overcast=0.4&clouds=stratocumulus&cloudcover=0.9&rain=40&squalls=0.5\
                 &glints=1&gusts=1&exposure=0.3&bloom=0.04&y=4&heading=10&pitch=1&fov=42&t=40&afloat=yacht*30*-80",
     },
     GalleryPicture {
