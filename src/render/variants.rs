@@ -84,8 +84,7 @@ impl<P: Copy + PartialEq> PipelineVariants<P> {
     }
 }
 
-/// A compute pipeline in variants by `N` switches of its shader, each compiled at its first use; the one with all
-/// switches off is compiled at once.
+/// A compute pipeline in variants by `N` switches of its shader, each compiled when it is first selected.
 pub struct ComputeVariants<const N: usize> {
     label: &'static str,
     module: wgpu::ShaderModule,
@@ -97,19 +96,15 @@ pub struct ComputeVariants<const N: usize> {
 }
 
 impl<const N: usize> ComputeVariants<N> {
-    /// Compiles the entry point `main` of a module with all `switches` off. `layouts` are those of the bind groups 0, 1,
-    /// 2 ...
+    /// Pipelines of the entry point `main` of a module. `layouts` are those of the bind groups 0, 1, 2 ...
     pub fn new(
-        gpu: &Gpu,
         label: &'static str,
         module: wgpu::ShaderModule,
         layouts: &[&wgpu::BindGroupLayout],
         switches: [&'static str; N],
     ) -> Self {
         let layouts = layouts.iter().map(|layout| (*layout).clone()).collect();
-        let mut pipeline = Self { label, module, layouts, switches, made: Vec::new() };
-        pipeline.select(gpu, [false; N]);
-        pipeline
+        Self { label, module, layouts, switches, made: Vec::new() }
     }
 
     /// Selects the variant for [`Self::selected`].
@@ -125,7 +120,7 @@ impl<const N: usize> ComputeVariants<N> {
         self.made.push((are_on, compiled));
     }
 
-    /// The variant selected last.
+    /// The variant selected last; None before the first selection.
     pub fn selected(&self) -> Option<&wgpu::ComputePipeline> {
         self.made.last().map(|(_, pipeline)| pipeline)
     }

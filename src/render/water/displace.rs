@@ -68,7 +68,7 @@ struct MeshBuffers {
 }
 
 impl DisplacePass {
-    /// Compiles the compute pass. `maps` is the layout of the bind group with the wave maps.
+    /// Makes the pass; [`Self::select_pipeline`] compiles it. `maps` is the layout of the bind group with the wave maps.
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, maps: &wgpu::BindGroupLayout) -> Self {
         let bindings = [
             BindingType::Uniform(size_of::<FrameUniform>()),
@@ -76,7 +76,7 @@ impl DisplacePass {
         ];
         let layout = gpu.bind_group_layout("mesh", wgpu::ShaderStages::COMPUTE, &bindings);
         let module = shaders.module(gpu, "water/displace");
-        let pipeline = ComputeVariants::new(gpu, "mesh", module, &[&layout, maps], ["WATER_COAST", "WATER_SHADOWS"]);
+        let pipeline = ComputeVariants::new("mesh", module, &[&layout, maps], ["WATER_COAST", "WATER_SHADOWS"]);
         let vertex = wgpu::ShaderStages::VERTEX;
         let vertices_layout =
             gpu.bind_group_layout("mesh/drawn", vertex, &[BindingType::StorageRead(MESH_VERTEX_BYTES as usize)]);

@@ -19,12 +19,12 @@ pub struct EyePass {
 }
 
 impl EyePass {
-    /// Compiles the pass, which changes the eye's height in the uniform buffer `frame`.
+    /// Makes the pass, which changes the eye's height in the uniform buffer `frame`.
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, water: &WaterPass) -> Self {
         let bindings = [BindingType::StorageReadWrite(size_of::<FrameUniform>())];
         let layout = gpu.bind_group_layout("eye", wgpu::ShaderStages::COMPUTE, &bindings);
         let module = shaders.module(gpu, "water/eye");
-        let pipeline = ComputeVariants::new(gpu, "eye", module, &[&layout, water.maps_layout()], ["WATER_COAST"]);
+        let pipeline = ComputeVariants::new("eye", module, &[&layout, water.maps_layout()], ["WATER_COAST"]);
         let group = gpu.bind_group("eye", &layout, &[frame.buffer.as_entire_binding()]);
         Self { pipeline, group }
     }
