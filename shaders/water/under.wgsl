@@ -12,15 +12,10 @@ const UNDER_SURE_M = 0.05;
 const UNDER_FAR_M = 2.0;
 // Height, divided by the picture's, down to which a pixel under water must have more water below it in the picture.
 const UNDER_RIM = 0.003;
-// Capillary length of water, m. Water climbs glass that it wets by its square root of two, and there stands upright.
-const UNDER_CAPILLARY_M = 0.0027;
-const UNDER_CLIMB_M = 0.0038;
 // Steps by halves in which the waterline below a pixel is found.
 const UNDER_LINE_STEPS = 5;
 // How much more of the bed a pixel shows through the climbing water.
 const UNDER_SQUEEZE = 150.0;
-// Share of the light that is left where the climbing water mirrors the dark rim of the lens.
-const UNDER_RIM_LIGHT = 0.35;
 // Whether a part of the lens may stand in the air: if not, there is no waterline to look for.
 override UNDER_SEES_AIR: bool = true;
 // Binary logarithm of the size of the surface, m, through which the water in the picture is lit.
@@ -69,6 +64,15 @@ fn under_begins(pixel: vec2i, ray: vec3f) -> bool {
   return under_begins_alone(below, ray - frame.up * (2.0 * f32(below.y - pixel.y) / f32(size.y)));
 }
 
+// Whether a pixel that seems to show air lies between two rows that show water: the edge of a fold of the surface seen
+// from below, where a pixel may catch its upper side.
+fn under_is_fold(pixel: vec2i, ray: vec3f) -> bool {
+  let rows = 2;
+  let step = frame.up * (2.0 * f32(rows) / f32(textureDimensions(depth_map).y));
+  return under_begins_alone(pixel + vec2i(0, rows), ray - step)
+    && under_begins_alone(pixel - vec2i(0, rows), ray + step);
+}
+
 // Height of a pixel in the air above the waterline on the lens, m; a large number where the line is not close below.
 fn under_height_above_line_m(pixel: vec2i, ray: vec3f) -> f32 {
   let rows = f32(textureDimensions(depth_map).y);
@@ -76,7 +80,7 @@ fn under_height_above_line_m(pixel: vec2i, ray: vec3f) -> f32 {
   let row_m = frame.clip_from_relative[3].z * length(row);
   // The last row known to show air, and the first one known to show water, counted down from the pixel.
   var air = 0;
-  var water = i32(ceil(UNDER_CLIMB_M / row_m)) + 1;
+  var water = i32(ceil(CEILING_CLIMB_M / row_m)) + 1;
   if !under_begins(pixel + vec2i(0, water), ray - row * f32(water)) {
     return 1.0;
   }
@@ -88,61 +92,15 @@ fn under_height_above_line_m(pixel: vec2i, ray: vec3f) -> f32 {
       air = middle;
     }
   }
-  // The surface leaves the lens at depth 1, which between two rows follows from the change of depth above them.
-  let last = textureLoad(depth_map, pixel + vec2i(0, air), 0);
-  let before = textureLoad(depth_map, pixel + vec2i(0, air - 1), 0);
-  let rest = saturate((1.0 - last) / max(last - before, 1e-5));
-  return (f32(air) + rest) * row_m;
-}
-
-// How the water that climbs the lens bends a ray: a cylinder of water whose surface is level at its foot and upright at
-// its upper edge.
-struct UnderMeniscus {
-  // Direction in the water whose light the pixel shows, and the share of it.
-  dir: vec3f,
-  share: f32,
-  // What the pixel shows besides: light of the sky.
-  sky: vec3f,
-}
-
-// Radiance of the sky in a direction, blurred as by a lens that is focused on what is far away.
-fn under_blurred_sky(dir: vec3f) -> vec3f {
-  let uv = 0.5 + MIRRORED_SCALE * dir.xz / (1.0 + max(dir.y, -0.9));
-  return textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), mirrored_sky_layer(0.05)), 0.0).rgb;
-}
-
-// The bending at a height above the waterline, m. The height of a surface that hangs on a wall and its slope angle t
-// obey height^2 = 2 capillary length^2 (1 - cos t).
-fn under_meniscus(dir: vec3f, height_m: f32) -> UnderMeniscus {
-  let relative = height_m / UNDER_CAPILLARY_M;
-  let level = max(1.0 - 0.5 * relative * relative, 0.0);
-  let ahead = dir.xz * inverseSqrt(max(dot(dir.xz, dir.xz), 1e-6));
-  let upright = sqrt(1.0 - level * level);
-  let n = vec3f(ahead.x * upright, level, ahead.y * upright);
-  let cosine = dot(dir, n);
-  if cosine <= 0.0 {
-    return UnderMeniscus(dir, 1.0, vec3f(0.0));
-  }
-  let facet = ceiling_facet(dir, n);
-  let mirrored = reflect(dir, n);
-  var out = UnderMeniscus(mirrored, 1.0, vec3f(0.0));
-  out.share = mix(1.0, UNDER_RIM_LIGHT, maths_smooth(-1.2 * mirrored.y));
-  if facet.is_window {
-    // The bent ray meets the level water before the lens, which mirrors the sky and lets the rest through.
-    let down = vec3f(facet.above.x, -abs(facet.above.y), facet.above.z);
-    let reflectance = water_fresnel(-down.y);
-    let through = 1.0 - facet.reflectance;
-    out.sky = through * reflectance * under_blurred_sky(vec3f(down.x, -down.y, down.z));
-    let spread = material.inverse_relative_index * material.inverse_relative_index;
-    out.share = mix(through * (1.0 - reflectance) * spread, out.share, facet.reflectance);
-    // The edge on the glass is round and turns the rays of a narrow line up into the sky.
-    let edge = relative * (UNDER_CAPILLARY_M / UNDER_CLIMB_M);
-    let bright = maths_smooth(1.0 - abs(edge - 0.93) / 0.07);
-    let lifted = normalize(vec3f(dir.x, dir.y + 0.4, dir.z));
-    out.sky += 0.7 * bright * under_blurred_sky(lifted);
-    out.dir = select(water_refract(down, vec3f(0.0, 1.0, 0.0)), mirrored, facet.reflectance > 0.5);
-  }
-  return out;
+  // The surface leaves the lens at depth 1. Where between two rows it does so follows from the change of depth on the
+  // side on which the surface is seen.
+  let over = textureLoad(depth_map, pixel + vec2i(0, air), 0);
+  let under = textureLoad(depth_map, pixel + vec2i(0, water), 0);
+  let is_seen_from_below = under > over;
+  let near = max(under, over);
+  let next = textureLoad(depth_map, pixel + vec2i(0, select(air - 1, water + 1, is_seen_from_below)), 0);
+  let rest = saturate((1.0 - near) / max(near - next, 1e-5));
+  return select(f32(air) + rest, f32(water) - rest, is_seen_from_below) * row_m;
 }
 
 // Radiance of the water's surface at `place`, relative to the eye, seen along `dir` from below.
@@ -183,16 +141,19 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let dy = frame.footprint_scale * y.side;
   var begins = true;
   if UNDER_SEES_AIR {
-    begins = under_begins(pixel, in.ray);
+    begins = under_begins(pixel, in.ray) || under_is_fold(pixel, in.ray);
   }
   let dir_ahead = normalize(in.ray);
-  var lens = UnderMeniscus(dir_ahead, 1.0, vec3f(0.0));
+  var lens = CeilingMeniscus(dir_ahead, 1.0, vec3f(0.0));
   var is_climbing = false;
+  // How strongly the climbing water squeezes what lies behind it, 0 to 1.
+  var squeeze = 0.0;
   if UNDER_SEES_AIR && !begins && abs(under_estimate_m(in.ray)) < UNDER_SURE_M {
     let height_m = under_height_above_line_m(pixel, in.ray);
-    is_climbing = height_m < UNDER_CLIMB_M;
+    is_climbing = height_m < CEILING_CLIMB_M;
     if is_climbing {
-      lens = under_meniscus(dir_ahead, height_m);
+      lens = ceiling_meniscus(dir_ahead, height_m);
+      squeeze = maths_smooth(8.0 * distance(lens.dir, dir_ahead));
     }
   }
   // Land near the surface was drawn as such; the bed is found below.
@@ -218,7 +179,10 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   var length_m = 1e4;
   var radiance = vec3f(0.0);
   if shows_ceiling {
-    let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
+    var bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
+    // At the edge of a fold the surface between vertices may be turned away from the eye.
+    let away = dot(bent.mean, dir.xz) - dir.y + 0.02;
+    bent.mean -= dir.xz * (max(away, 0.0) / max(dot(dir.xz, dir.xz), 1e-6));
     length_m = length(place);
     radiance = under_surface(dir, place, at, foot, bent);
   } else if is_land {
@@ -231,15 +195,14 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   } else if WATER_BED {
     var hit = floor_hit(dir, depth_m);
     length_m = hit.length_m;
-    // The climbing water squeezes much of the bed into a pixel.
-    hit.length_m *= select(1.0, UNDER_SQUEEZE, is_climbing);
+    hit.length_m *= 1.0 + UNDER_SQUEEZE * squeeze;
     radiance = floor_radiance(hit, dir);
   }
   if SKY_CLOUD_SHADOWS {
     // Sunlight in the water comes from the surface around the eye.
     cloud_sun_fraction = cloud_sun_transmittance(vec2f(0.0), UNDER_LOG_LIT_M);
   }
-  let gain = select(shafts_gain(shafts_map, dir, depth_m, length_m), 1.0, is_climbing);
+  let gain = mix(shafts_gain(shafts_map, dir, depth_m, length_m), 1.0, squeeze);
   radiance = radiance * medium_transmittance(length_m) + medium_radiance(dir, depth_m, length_m, gain);
   radiance = lens.share * radiance + lens.sky;
   return frame_hdr_output(radiance, 1.0 / length_m);
