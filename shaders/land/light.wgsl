@@ -169,7 +169,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, ground.film);
     let foam = swash_foam(position.xz, size, ground.film, dir);
-    let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light);
+    // Wet bubbles mirror the sky as the film between them does.
+    let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + SWASH_SHEEN * radiance;
     radiance = mix(foam.beside * radiance, white, foam.opacity);
   }
   let air = air_to_point(dir, distance_m);

@@ -38,6 +38,8 @@ const SHORE_CLIFF_SLOPES = 2.0;
 const SHORE_CLEAR_M = 0.35;
 // Depth of the water, m, from which waves keep their slopes: thinner water lies on the sand like the film beside it.
 const SHORE_THIN_M = 0.45;
+// Part of the light of the water that foam near a shore keeps: its wet bubbles mirror the sky, too.
+const SHORE_FOAM_SHEEN = 0.35;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 

@@ -157,7 +157,12 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     }
     let look = foam_appearance(foam_at, foot, foam);
     if look.cover > FOAM_MIN_AMOUNT {
-      surface = mix(surface, foam_radiance(v, slope, look), look.cover);
+      var white = foam_radiance(v, slope, look);
+      if WATER_LAND {
+        // Wet bubbles mirror the sky as the water between them does, and against a low sun are as warm.
+        white += SHORE_FOAM_SHEEN * surface;
+      }
+      surface = mix(surface, white, look.cover);
     }
   }
 
