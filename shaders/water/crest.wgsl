@@ -10,7 +10,7 @@ const WATER_CREST_LONGEST_M = 2.0;
 const WATER_CREST_LEAST_SHARE = 0.08;
 
 // How much more light comes through the steep wall of water before a breaker at a coast.
-const WATER_CREST_SURF = 4.0;
+const WATER_CREST_SURF = 15.0;
 
 // A crest in front of the sun.
 struct WaterCrest {

@@ -4,8 +4,6 @@
 const FOAM_ALBEDO = 0.6;
 // Sunlight that comes through heaps of foam from behind, relative to that which falls on a plane towards the sun.
 const FOAM_GLOW = 0.16;
-// How much more light comes through the foam of breakers at a coast.
-const FOAM_SURF_GLOW = 2.5;
 // Stops of sunlight (x) and of skylight (y) between hollows, where the grain is 0, and lumps, where it is 1.
 const FOAM_HOLLOW_STOPS = vec2f(3.2, 1.6);
 // Share of the sunlight that shades foam by its slope; light that spreads inside foam evens out the rest.
@@ -37,11 +35,7 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
   let albedo = material.foam_colour * thin * FOAM_ALBEDO;
   let behind = max(-dot(v, l), 0.0);
-  var glow = FOAM_GLOW * behind * behind * saturate(8.0 * l.y);
-  if WATER_COAST {
-    // Breakers at a shore carry more foam, on crests that the sun shines through.
-    glow *= FOAM_SURF_GLOW * exp2(hollow - 0.5);
-  }
+  let glow = FOAM_GLOW * behind * behind * saturate(8.0 * l.y);
   let sunlight = shadow_sun_irradiance() * (foam.lit * wrapped * exp2(FOAM_HOLLOW_STOPS.x * (hollow - 0.5)) + glow);
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {

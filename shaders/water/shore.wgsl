@@ -40,6 +40,10 @@ const SHORE_CLEAR_M = 0.35;
 const SHORE_THIN_M = 0.45;
 // Part of the light of the water that foam near a shore keeps: its wet bubbles mirror the sky, too.
 const SHORE_FOAM_SHEEN = 0.35;
+// Sunlight that comes from behind through the foam of a breaker's front, relative to that which falls on a plane towards
+// the sun, and stops of it between the thickest and the thinnest foam.
+const SHORE_FRONT_GLOW = 1.0;
+const SHORE_FRONT_GLOW_STOPS = 2.2;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 
@@ -98,6 +102,15 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> Foam
   let old = foam.cover / max(all, 1e-4);
   let plume = max(foam.plume, SHORE_PLUME * cover);
   return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
+}
+
+// Radiance of the sunlight that comes towards `v` through the front of a breaker, which shades itself: `fresh` is the
+// part of the foam that belongs to fronts, and `grain` the height of its relief, around 0.5.
+fn shore_front_glow(v: vec3f, fresh: f32, grain: f32) -> vec3f {
+  let behind = max(-dot(v, frame.sun_direction), 0.0);
+  let through = SHORE_FRONT_GLOW * fresh * behind * behind * saturate(8.0 * frame.sun_direction.y);
+  let relief = exp2(SHORE_FRONT_GLOW_STOPS * (clamp(grain, -0.4, 1.4) - 0.5));
+  return cloud_sun_irradiance() * material.foam_colour * (FOAM_ALBEDO / ATM_PI * through * relief);
 }
 
 // The foam of a pixel, with the collar around stone whose share is `hard`. `ground`, `at` and `height` have the meaning
