@@ -25,6 +25,8 @@ const SHORE_COLLAR_RUN_UP_M = vec2f(0.2, 0.9);
 // height of the run-up, where the level is the mean one: twice as wide on crests, nothing in the deepest troughs.
 const SHORE_COLLAR_COVER = 0.9;
 const SHORE_COLLAR_DEPTH = 2.5;
+// Part of the collar at the foot of the stone that is as thick as a breaker's front.
+const SHORE_COLLAR_CHURNED = 0.9;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
 // Distance before stone, m, at which the run-up of the waves that wash it is read: nearer, the map's texels average the
@@ -122,7 +124,9 @@ fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, heigh
   let reach = SHORE_COLLAR_DEPTH * run_up * (1.0 + clamp(height / run_up, -0.8, 1.0));
   let near = saturate(1.0 + ground.x / reach);
   let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_COLLAR_RUN_UP_M);
-  return shore_more_foam(foam, SHORE_COLLAR_COVER * lively * hard * maths_smooth(near), near, 0.0);
+  // A crest that meets the stone is thrown up as white water, nearest to the stone.
+  let churned = SHORE_COLLAR_CHURNED * maths_smooth(2.4 * near - 0.9) * saturate(0.7 + height / run_up);
+  return shore_more_foam(foam, SHORE_COLLAR_COVER * lively * hard * maths_smooth(1.5 * near), near, churned);
 }
 
 // The foam of a pixel, with that of the swash, which carries it at its edge, and with the collar of foam around rock and
