@@ -106,11 +106,14 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> Foam
   return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
 }
 
-// Radiance of the sunlight that comes towards `v` through the front of a breaker, which shades itself: `fresh` is the
-// part of the foam that belongs to fronts, and `grain` the height of its relief, around 0.5.
-fn shore_front_glow(v: vec3f, fresh: f32, grain: f32) -> vec3f {
-  let behind = max(-dot(v, frame.sun_direction), 0.0);
-  let through = SHORE_FRONT_GLOW * fresh * behind * behind * saturate(8.0 * frame.sun_direction.y);
+// Radiance of the sunlight that comes towards `v` through the front of a breaker with the slope `slope`: `fresh` is the
+// part of the foam that belongs to fronts, and `grain` the height of its relief, around 0.5. Most comes through a front
+// that stands between the eye and the sun, and little out of foam that lies level.
+fn shore_front_glow(v: vec3f, slope: vec2f, fresh: f32, grain: f32) -> vec3f {
+  let l = frame.sun_direction;
+  let behind = max(-dot(v, l), 0.0);
+  let stands = 0.2 + 0.8 * maths_smooth(5.0 * dot(slope, l.xz));
+  let through = SHORE_FRONT_GLOW * stands * fresh * behind * behind * saturate(8.0 * l.y);
   let relief = exp2(SHORE_FRONT_GLOW_STOPS * (clamp(grain, -0.4, 1.4) - 0.5));
   return cloud_sun_irradiance() * material.foam_colour * (FOAM_ALBEDO / ATM_PI * through * relief);
 }
