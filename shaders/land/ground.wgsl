@@ -213,8 +213,9 @@ fn land_ground(
   let foot = LAND_FOOT_SLOPE * (1.0 - maths_rise(height, LAND_FOOT_M));
   let hill = max(length(around.yz), LAND_CLIFF_LOCAL * length(slope));
   let cliff = maths_rise(hill + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES);
-  // Plants hold in patches on cliffs.
-  let upright = land_rock_share(length(cut) + (0.06 + 0.10 * cliff) * middle.z + 0.05 * fine.z);
+  // Plants hold in ragged patches on cliffs.
+  let ragged = (0.06 + 0.10 * cliff) * middle.z + 0.05 * fine.z + cliff * (0.16 + 0.13 * fine.z + 0.08 * fine.w);
+  let upright = land_rock_share(length(cut) + ragged);
   let rock = max(upright, cliff);
   let built = land_built_share(map);
   var out = land_sand(place, height, run_up, middle, fine, wide, size);
