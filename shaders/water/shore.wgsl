@@ -23,8 +23,8 @@ const SHORE_LACE_RUN_UP_M = vec2f(0.1, 0.6);
 const SHORE_COLLAR_RUN_UP_M = vec2f(0.2, 0.9);
 // Part of the collar that foam covers at the waterline, and depth of the still water in which it ends, relative to the
 // height of the run-up, where the level is the mean one: twice as wide on crests, nothing in the deepest troughs.
-const SHORE_COLLAR_COVER = 0.9;
-const SHORE_COLLAR_DEPTH = 2.5;
+const SHORE_COLLAR_COVER = 0.95;
+const SHORE_COLLAR_DEPTH = 3.4;
 // Part of the collar at the foot of the stone that is as thick as a breaker's front.
 const SHORE_COLLAR_CHURNED = 0.9;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
