@@ -13,7 +13,7 @@ const UNDER_FAR_M = 2.0;
 // Height, divided by the picture's, down to which a pixel under water must have more water below it in the picture.
 const UNDER_RIM = 0.003;
 // Steps by halves in which the waterline below a pixel is found.
-const UNDER_LINE_STEPS = 5;
+const UNDER_LINE_STEPS = 6;
 // How much more of the bed a pixel shows through the climbing water.
 const UNDER_SQUEEZE = 150.0;
 // Whether a part of the lens may stand in the air: if not, there is no waterline to look for.
@@ -68,23 +68,27 @@ fn under_begins(pixel: vec2i, ray: vec3f) -> bool {
 // from below, where a pixel may catch its upper side.
 fn under_is_fold(pixel: vec2i, ray: vec3f) -> bool {
   let rows = 2;
-  let step = frame.up * (2.0 * f32(rows) / f32(textureDimensions(depth_map).y));
+  let size_y = i32(textureDimensions(depth_map).y);
+  if pixel.y < rows || pixel.y + rows >= size_y {
+    return false;
+  }
+  let step = frame.up * (2.0 * f32(rows) / f32(size_y));
   return under_begins_alone(pixel + vec2i(0, rows), ray - step)
     && under_begins_alone(pixel - vec2i(0, rows), ray + step);
 }
 
 // Height of a pixel in the air above the waterline on the lens, m; a large number where the line is not close below.
 fn under_height_above_line_m(pixel: vec2i, ray: vec3f) -> f32 {
-  let rows = f32(textureDimensions(depth_map).y);
-  let row = frame.up * (2.0 / rows);
+  let rows = i32(textureDimensions(depth_map).y);
+  let row = frame.up * (2.0 / f32(rows));
   let row_m = frame.clip_from_relative[3].z * length(row);
   // The last row known to show air, and the first one known to show water, counted down from the pixel.
   var air = 0;
-  var water = i32(ceil(CEILING_CLIMB_M / row_m)) + 1;
-  if !under_begins(pixel + vec2i(0, water), ray - row * f32(water)) {
+  var water = min(i32(ceil(CEILING_CLIMB_M / row_m)) + 1, rows - 2 - pixel.y);
+  if water <= 0 || !under_begins(pixel + vec2i(0, water), ray - row * f32(water)) {
     return 1.0;
   }
-  for (var i = 0; i < UNDER_LINE_STEPS; i++) {
+  for (var i = 0; i < UNDER_LINE_STEPS && water > air + 1; i++) {
     let middle = (air + water) / 2;
     if under_begins(pixel + vec2i(0, middle), ray - row * f32(middle)) {
       water = middle;
@@ -98,7 +102,8 @@ fn under_height_above_line_m(pixel: vec2i, ray: vec3f) -> f32 {
   let under = textureLoad(depth_map, pixel + vec2i(0, water), 0);
   let is_seen_from_below = under > over;
   let near = max(under, over);
-  let next = textureLoad(depth_map, pixel + vec2i(0, select(air - 1, water + 1, is_seen_from_below)), 0);
+  let next_y = max(pixel.y + select(air - 1, water + 1, is_seen_from_below), 0);
+  let next = textureLoad(depth_map, vec2i(pixel.x, next_y), 0);
   let rest = saturate((1.0 - near) / max(near - next, 1e-5));
   return select(f32(air) + rest, f32(water) - rest, is_seen_from_below) * row_m;
 }
