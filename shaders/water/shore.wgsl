@@ -45,7 +45,9 @@ const SHORE_FOAM_SHEEN = 0.35;
 // Sunlight that comes from behind through the foam of a breaker's front, relative to that which falls on a plane towards
 // the sun, and stops of it between the thickest and the thinnest foam.
 const SHORE_FRONT_GLOW = 1.0;
-const SHORE_FRONT_GLOW_STOPS = 2.2;
+const SHORE_FRONT_GLOW_STOPS = 2.6;
+// Share of the irradiance by the whole sky that the sky around the sun sends there.
+const SHORE_FRONT_SKY = 0.8;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 
@@ -115,7 +117,9 @@ fn shore_front_glow(v: vec3f, slope: vec2f, fresh: f32, grain: f32) -> vec3f {
   let stands = 0.2 + 0.8 * maths_smooth(5.0 * dot(slope, l.xz));
   let through = SHORE_FRONT_GLOW * stands * fresh * behind * behind * saturate(8.0 * l.y);
   let relief = exp2(SHORE_FRONT_GLOW_STOPS * (clamp(grain, -0.4, 1.4) - 0.5));
-  return cloud_sun_irradiance() * material.foam_colour * (FOAM_ALBEDO / ATM_PI * through * relief);
+  // The bright sky around the sun shines through it, too, which makes it whiter.
+  let light_behind = cloud_sun_irradiance() + SHORE_FRONT_SKY * light.sky_irradiance;
+  return light_behind * material.foam_colour * (FOAM_ALBEDO / ATM_PI * through * relief);
 }
 
 // The foam of a pixel, with the collar around stone whose share is `hard`. `ground`, `at` and `height` have the meaning
