@@ -42,8 +42,8 @@ const SHORE_CLEAR_M = 0.35;
 const SHORE_THIN_M = 0.45;
 // Part of the light of the water that foam near a shore keeps: its wet bubbles mirror the sky, too.
 const SHORE_FOAM_SHEEN = 0.35;
-// Sunlight that comes from behind through the foam of a breaker's front, relative to that which falls on a plane towards
-// the sun, and stops of it between the thickest and the thinnest foam.
+// Sunlight that comes from behind through the foam of a breaker's front, relative to that which falls on a plane
+// towards the sun, and stops of it between the thickest and the thinnest foam.
 const SHORE_FRONT_GLOW = 1.0;
 const SHORE_FRONT_GLOW_STOPS = 2.6;
 // Share of the irradiance by the whole sky that the sky around the sun sends there.
