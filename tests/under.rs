@@ -174,7 +174,8 @@ fn shafts_keep_the_mean_of_the_sunlight() {
     }
 }
 
-/// On a flat sea, the surface crosses the lens where geometry says, all along, and the picture has no hole.
+/// On a flat sea, the surface crosses the lens where geometry says, all along, and the picture has no hole. The water
+/// that climbs the lens may look like air or like water.
 #[test]
 fn the_waterline_is_where_the_surface_cuts_the_lens() {
     const SIZE: [u32; 2] = [96, 128];
@@ -184,12 +185,15 @@ fn the_waterline_is_where_the_surface_cuts_the_lens() {
         assert!(light.iter().all(|p| p.iter().all(|c| c.is_finite()) && p[3] >= 0.99), "a hole at {dive_m} m");
         // The lens is 0.1 m before the eye.
         let line = 0.5 * f64::from(SIZE[1]) * (1.0 - dive_m / 0.1 / view.tan_half_fov[1]);
+        // Water climbs glass by 3.8 mm (WGSL `CEILING_CLIMB_M`).
+        let climb = 0.5 * f64::from(SIZE[1]) * 0.0038 / 0.1 / view.tan_half_fov[1];
         for x in 0..SIZE[0] {
             // Water is much less red than the air and what it mirrors.
             let ratio = |y: u32| light[(y * SIZE[0] + x) as usize][0] / light[(y * SIZE[0] + x) as usize][2];
             let rows: Vec<u32> = (1..SIZE[1]).filter(|&y| ratio(y) < 0.3 && ratio(y - 1) >= 0.3).collect();
             assert_eq!(rows.len(), 1, "one waterline in column {x} at {dive_m} m: {rows:?}");
-            assert!((f64::from(rows[0]) - line).abs() <= 2.0, "column {x}: {rows:?} for {line}");
+            let off = f64::from(rows[0]) - line;
+            assert!((-climb - 2.0..=2.0).contains(&off), "column {x}: {rows:?} for {line}");
         }
     }
 }

@@ -38,6 +38,8 @@ fn tone_compressed_sample(uv: vec2f, exposure: f32) -> vec3f {
 const TONE_MIN_EDGE_M = 1.5;
 // Smallest step in distance that counts as an edge, divided by the distance.
 const TONE_MIN_EDGE_RATIO = 0.05;
+// Step in distance, divided by the distance, that always counts as an edge, however near the eye.
+const TONE_SURE_EDGE_RATIO = 0.2;
 
 // Exposed light of the pixel around `uv`, with edges smoothed along their direction after FXAA by Timothy Lottes
 // (2009). Crests and the horizon need it, at one sample per pixel. Foam and glitter lie on one surface and are filtered
@@ -52,7 +54,8 @@ fn tone_edges_smoothed(hdr: vec4f, at: vec2i, uv: vec2f, exposure: f32) -> vec3f
   let bends = abs(before.xzw + after.zxy - 2.0 * hdr.a);
   // The bend is compared with the change of alpha over the smallest step in distance that counts.
   let nearness = hdr.a - 1.0;
-  if max(bends.x, max(bends.y, bends.z)) <= nearness * max(1e-4 * TONE_MIN_EDGE_M * nearness, TONE_MIN_EDGE_RATIO) {
+  let least = clamp(1e-4 * TONE_MIN_EDGE_M * nearness, TONE_MIN_EDGE_RATIO, TONE_SURE_EDGE_RATIO);
+  if max(bends.x, max(bends.y, bends.z)) <= nearness * least {
     return exposed;
   }
   let low_at = max(at - 1, vec2i(0));

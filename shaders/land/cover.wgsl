@@ -198,3 +198,30 @@ fn cover_ground(look: f32, along: f32, place: vec2f, height: f32, run_up: f32, s
   }
   return cover_stone(look, place, height, run_up, size);
 }
+
+// Side of the tile of blocks of a breakwater, m, which holds 19 of them, and smaller ones between.
+const LAND_BLOCKS_M = 31.0;
+
+// Blocks of a breakwater: light stone above, weed below, and dark gaps between.
+fn land_rubble(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
+  let blocks = land_noise(place + 0.7 * height, LAND_BLOCKS_M, size);
+  let gap = saturate(-0.55 * blocks.w - 0.1);
+  var out: LandGround;
+  out.albedo = LAND_BLOCK * max(1.0 + 0.16 * middle.z + 0.13 * blocks.z + 0.08 * fine.z, 0.3) * (1.0 - 0.8 * gap);
+  let washed = land_washed(out.albedo, height, run_up, 1.5 * middle.z + 0.5 * blocks.z);
+  out.albedo = washed.rgb;
+  out.relief = vec2f(0.5 * blocks.z + 0.25 * fine.w, 0.45 * blocks.w);
+  out.film = 0.3 * washed.w;
+  return out;
+}
+
+// Concrete in slabs with joints, stained, and weedy at the waterline.
+fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
+  let joint = abs(fract(place.y * (1.0 / 8.0)) - 0.5) * 8.0;
+  let line = clamp((0.06 - joint) / max(size, 0.02) + 0.5, 0.0, min(0.12 / max(size, 0.02), 1.0));
+  var out: LandGround;
+  out.albedo = LAND_CONCRETE * max(1.0 + 0.06 * middle.z + 0.05 * fine.z, 0.4) * (1.0 - 0.45 * line);
+  let wet = 1.0 - maths_smooth((height + 0.1 * middle.z - 0.3) * 1.4);
+  out.albedo = mix(out.albedo, LAND_WEED + 0.12 * out.albedo, 0.9 * wet);
+  return out;
+}

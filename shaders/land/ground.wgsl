@@ -133,6 +133,12 @@ const LAND_DETAIL_M = 8.7;
 const LAND_LICHEN = vec3f(0.195, 0.192, 0.150);
 const LAND_LICHEN_M = vec2f(0.8, 4.0);
 
+// Thickness of a stratum of rock, m, the part of it that its joint darkens on either side, and the change of slope from
+// its joint to its upper edge, relative to the slope of the land.
+const LAND_STRATUM_M = 1.6;
+const LAND_STRATUM_JOINT = 0.13;
+const LAND_STRATUM_RELIEF = -0.9;
+
 // Bedrock: beds with ledges between them, which cracks part into blocks; dark and weedy where waves keep it wet, with
 // lichen above. `slope` is that of the land with its ledges, `around` is that of land_ground.
 fn land_rock(
@@ -159,7 +165,16 @@ fn land_rock(
   // Hard beds are steep, and debris lies on soft ones.
   let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
   out.relief = 0.65 * ledge * slope + clamp(rise, -0.42, 0.42) * toward + 0.18 * detail.wz;
-  let tone = saturate(0.42 + 0.30 * beds.z + 0.26 * face.z + 0.16 * middle.z);
+  // Thin strata: each has a tone of its own, a worn upper edge, and a joint below.
+  let strata = layer * (1.0 / LAND_STRATUM_M) + 0.35 * beds.z + 0.22 * middle.z;
+  let part = fract(strata);
+  let pixel = size * length(slope) / LAND_STRATUM_M;
+  let seen = walls * saturate(1.6 - 2.2 * pixel);
+  let own = fract(0.618 * floor(strata)) - 0.5;
+  out.relief += (LAND_STRATUM_RELIEF * seen * (part - 0.5)) * slope;
+  let line = max(LAND_STRATUM_JOINT, pixel);
+  let joint = seen * maths_smooth(1.0 - min(part, 1.0 - part) / line) * (LAND_STRATUM_JOINT / line);
+  let tone = saturate(0.42 + 0.30 * beds.z + 0.26 * face.z + 0.16 * middle.z + 0.4 * seen * own);
   out.albedo = mix(LAND_DARK_ROCK, LAND_ROCK, tone) * max(1.0 + 0.18 * detail.z + 0.10 * detail.w, 0.3);
   // Iron colours some beds.
   out.albedo *= mix(vec3f(1.0), vec3f(1.18, 1.0, 0.78), saturate(0.2 + 0.35 * wide.w + 0.3 * beds.z));
@@ -169,36 +184,10 @@ fn land_rock(
   let washed = land_washed(out.albedo, height, run_up, 1.2 * middle.z + 0.5 * detail.z);
   // Little light reaches cracks, joints between beds, and what is below a ledge.
   let cracks = saturate(vec3f(-0.8, -0.7 * walls, -0.6) * vec3f(face.w, beds.w, detail.w) - vec3f(0.45, 0.4, 0.5));
-  let open = (1.0 - (0.4 + 0.5 * crumbled) * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.3 * cracks.z);
+  let open = (1.0 - (0.4 + 0.5 * crumbled) * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.3 * cracks.z)
+    * (1.0 - 0.6 * joint);
   out.albedo = washed.rgb * open;
   out.film = 0.35 * washed.w;
-  return out;
-}
-
-// Side of the tile of blocks of a breakwater, m, which holds 19 of them, and smaller ones between.
-const LAND_BLOCKS_M = 31.0;
-
-// Blocks of a breakwater: light stone above, weed below, and dark gaps between.
-fn land_rubble(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
-  let blocks = land_noise(place + 0.7 * height, LAND_BLOCKS_M, size);
-  let gap = saturate(-0.55 * blocks.w - 0.1);
-  var out: LandGround;
-  out.albedo = LAND_BLOCK * max(1.0 + 0.16 * middle.z + 0.13 * blocks.z + 0.08 * fine.z, 0.3) * (1.0 - 0.8 * gap);
-  let washed = land_washed(out.albedo, height, run_up, 1.5 * middle.z + 0.5 * blocks.z);
-  out.albedo = washed.rgb;
-  out.relief = vec2f(0.5 * blocks.z + 0.25 * fine.w, 0.45 * blocks.w);
-  out.film = 0.3 * washed.w;
-  return out;
-}
-
-// Concrete in slabs with joints, stained, and weedy at the waterline.
-fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
-  let joint = abs(fract(place.y * (1.0 / 8.0)) - 0.5) * 8.0;
-  let line = clamp((0.06 - joint) / max(size, 0.02) + 0.5, 0.0, min(0.12 / max(size, 0.02), 1.0));
-  var out: LandGround;
-  out.albedo = LAND_CONCRETE * max(1.0 + 0.06 * middle.z + 0.05 * fine.z, 0.4) * (1.0 - 0.45 * line);
-  let wet = 1.0 - maths_smooth((height + 0.1 * middle.z - 0.3) * 1.4);
-  out.albedo = mix(out.albedo, LAND_WEED + 0.12 * out.albedo, 0.9 * wet);
   return out;
 }
 
@@ -224,8 +213,9 @@ fn land_ground(
   let foot = LAND_FOOT_SLOPE * (1.0 - maths_rise(height, LAND_FOOT_M));
   let hill = max(length(around.yz), LAND_CLIFF_LOCAL * length(slope));
   let cliff = maths_rise(hill + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES);
-  // Plants hold in patches on cliffs.
-  let upright = land_rock_share(length(cut) + (0.06 + 0.10 * cliff) * middle.z + 0.05 * fine.z);
+  // Plants hold in ragged patches on cliffs.
+  let ragged = (0.06 + 0.10 * cliff) * middle.z + 0.05 * fine.z + cliff * (0.16 + 0.13 * fine.z + 0.08 * fine.w);
+  let upright = land_rock_share(length(cut) + ragged);
   let rock = max(upright, cliff);
   let built = land_built_share(map);
   var out = land_sand(place, height, run_up, middle, fine, wide, size);

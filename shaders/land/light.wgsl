@@ -15,6 +15,9 @@ fn land_from_eye(place: vec2f, height: f32) -> vec3f {
   return vec3f(off.x, height - dot(off, off) / (2.0 * FRAME_EARTH_RADIUS_M) - frame.eye_height_m, off.y);
 }
 
+// Heights of crags of tens of metres and of metres on steep rock, m for each deviation of their noise.
+const LAND_CRAGS_M = vec2f(1.3, 1.1);
+
 struct LandMeshFragment {
   @builtin(position) clip: vec4f,
   @location(0) slope: vec2f,
@@ -26,7 +29,11 @@ fn mesh_vertex(@builtin(vertex_index) i: u32) -> LandMeshFragment {
   let slope = unpack2x16float(v.slope);
   let bend = land_noise(v.place, LAND_WIDE_M, 1.0).z;
   let ledge = land_ledge(v.place, vec4f(v.height_m, slope, 0.0), bend);
-  return LandMeshFragment(land_clip(land_from_eye(v.place, v.height_m + ledge.x)), slope);
+  // Crags break the outline of rock.
+  let crag = land_noise(v.place.yx, LAND_MIDDLE_M, 1.0).zw;
+  let share = land_rock_share(length(slope)) * maths_rise(v.height_m, LAND_LEDGE_FROM_M);
+  let raised = ledge.x + share * dot(LAND_CRAGS_M, clamp(crag, vec2f(-1.5), vec2f(1.5)));
+  return LandMeshFragment(land_clip(land_from_eye(v.place, v.height_m + raised)), slope);
 }
 
 @fragment
@@ -168,8 +175,10 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, ground.film);
-    let foam = swash_foam(position.xz, size, ground.film, dir);
-    let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light);
+    // Foam slides off steep stone.
+    let foam = swash_foam(position.xz, size, ground.film * saturate(1.8 * n.y - 0.5), dir);
+    // Wet bubbles mirror the sky as the film between them does.
+    let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + SWASH_SHEEN * radiance;
     radiance = mix(foam.beside * radiance, white, foam.opacity);
   }
   let air = air_to_point(dir, distance_m);

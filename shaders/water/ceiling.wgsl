@@ -9,6 +9,11 @@ const CEILING_NODE_STEP = 0.8;
 const CEILING_DISC_WIDENING = 17.0;
 // Fraction of the daylight above a layer of foam that comes out below.
 const CEILING_FOAM_TRANSMITTANCE = 0.4;
+// Capillary length of water, m. Water climbs glass that it wets by its square root of two, and there stands upright.
+const CEILING_CAPILLARY_M = 0.0027;
+const CEILING_CLIMB_M = 0.0038;
+// Share of the light that is left where the climbing water mirrors the dark rim of the lens.
+const CEILING_RIM_LIGHT = 0.35;
 
 // Where the light comes from that an eye under water sees in a facet of the surface: refracted from above, or reflected
 // from below.
@@ -101,4 +106,57 @@ fn ceiling_foam_radiance(below: vec3f, grain: f32) -> vec3f {
   let above = cloud_sun_irradiance() * max(frame.sun_direction.y, 0.0) + light.sky_irradiance;
   let through = CEILING_FOAM_TRANSMITTANCE * max(1.5 - grain, 0.0);
   return (through / ATM_PI) * material.foam_colour * above + FOAM_ALBEDO * below;
+}
+
+// How the water that climbs the lens bends a ray: a cylinder of water whose surface is level at its foot and upright at
+// its upper edge.
+struct CeilingMeniscus {
+  // Direction in the water whose light the pixel shows, and the share of it.
+  dir: vec3f,
+  share: f32,
+  // What the pixel shows besides: light of the sky.
+  sky: vec3f,
+}
+
+// Radiance of the sky in a direction, blurred as by a lens that is focused on what is far away.
+fn ceiling_blurred_sky(dir: vec3f) -> vec3f {
+  let uv = 0.5 + MIRRORED_SCALE * dir.xz / (1.0 + max(dir.y, -0.9));
+  return textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), mirrored_sky_layer(0.05)), 0.0).rgb;
+}
+
+// The bending at a height above the waterline, m. The height of a surface that hangs on a wall and its slope angle t
+// obey height^2 = 2 capillary length^2 (1 - cos t).
+fn ceiling_meniscus(dir: vec3f, height_m: f32) -> CeilingMeniscus {
+  let relative = height_m / CEILING_CAPILLARY_M;
+  let level = max(1.0 - 0.5 * relative * relative, 0.0);
+  let ahead = dir.xz * inverseSqrt(max(dot(dir.xz, dir.xz), 1e-6));
+  let upright = sqrt(1.0 - level * level);
+  let n = vec3f(ahead.x * upright, level, ahead.y * upright);
+  let cosine = dot(dir, n);
+  if cosine <= 0.0 {
+    return CeilingMeniscus(dir, 1.0, vec3f(0.0));
+  }
+  let facet = ceiling_facet(dir, n);
+  let mirrored = reflect(dir, n);
+  var out = CeilingMeniscus(mirrored, 1.0, vec3f(0.0));
+  out.share = mix(1.0, CEILING_RIM_LIGHT, maths_smooth(-1.2 * mirrored.y));
+  if facet.is_window {
+    // A ray that is bent down meets the level water before the lens, which mirrors the sky and lets the rest through.
+    let down = vec3f(facet.above.x, -abs(facet.above.y), facet.above.z);
+    let reflectance = select(water_fresnel(-down.y), 1.0, facet.above.y > 0.0);
+    // The lens does not focus on its own glass, so that the border of total reflection is soft.
+    let soft = max(1.0 - 1.7 * dot(facet.above, n), 0.0);
+    let turned_back = max(facet.reflectance, soft * soft);
+    let through = 1.0 - turned_back;
+    out.sky = through * reflectance * ceiling_blurred_sky(vec3f(down.x, -down.y, down.z));
+    let spread = material.inverse_relative_index * material.inverse_relative_index;
+    out.share = mix((1.0 - reflectance) * spread, out.share, turned_back);
+    // The edge on the glass is round and turns the rays of a narrow line up into the sky.
+    let edge = relative * (CEILING_CAPILLARY_M / CEILING_CLIMB_M);
+    let bright = maths_smooth(1.0 - abs(edge - 0.96) / 0.07);
+    let lifted = normalize(vec3f(dir.x, dir.y + 0.4, dir.z));
+    out.sky += 0.7 * bright * ceiling_blurred_sky(lifted);
+    out.dir = normalize(mix(water_refract(down, vec3f(0.0, 1.0, 0.0)), mirrored, turned_back));
+  }
+  return out;
 }

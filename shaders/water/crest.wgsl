@@ -9,6 +9,9 @@ const WATER_CREST_LONGEST_M = 2.0;
 // Share of a crest, as below, up to which no light is drawn through it.
 const WATER_CREST_LEAST_SHARE = 0.08;
 
+// How much more light comes through the steep wall of water before a breaker at a coast.
+const WATER_CREST_SURF = 14.0;
+
 // A crest in front of the sun.
 struct WaterCrest {
   // How high and steep the crest is, from 0 where no light comes through it to 1.
@@ -60,5 +63,9 @@ fn water_crest_radiance(n: vec3f, ray: vec3f, slope: WaterSlope, height_m: f32, 
   let sun = cloud_sun_irradiance() * (entry * (1.0 - water_fresnel(entry)) * phase);
   // The bright sky behind the crest shines through it, too.
   let sky = light.sky_irradiance * (0.25 / ATM_PI * saturate(1.0 + ray.y));
-  return (sun + sky) * through * (material.crest_transmission * crest.share);
+  var share = material.crest_transmission * crest.share;
+  if WATER_COAST {
+    share *= 1.0 + WATER_CREST_SURF * maths_smooth(2.5 * (0.8 - slope.jacobian));
+  }
+  return (sun + sky) * through * share;
 }

@@ -23,8 +23,10 @@ const SHORE_LACE_RUN_UP_M = vec2f(0.1, 0.6);
 const SHORE_COLLAR_RUN_UP_M = vec2f(0.2, 0.9);
 // Part of the collar that foam covers at the waterline, and depth of the still water in which it ends, relative to the
 // height of the run-up, where the level is the mean one: twice as wide on crests, nothing in the deepest troughs.
-const SHORE_COLLAR_COVER = 0.9;
-const SHORE_COLLAR_DEPTH = 2.5;
+const SHORE_COLLAR_COVER = 0.95;
+const SHORE_COLLAR_DEPTH = 3.4;
+// Part of the collar at the foot of the stone that is as thick as a breaker's front.
+const SHORE_COLLAR_CHURNED = 0.9;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
 // Distance before stone, m, at which the run-up of the waves that wash it is read: nearer, the map's texels average the
@@ -38,6 +40,14 @@ const SHORE_CLIFF_SLOPES = 2.0;
 const SHORE_CLEAR_M = 0.35;
 // Depth of the water, m, from which waves keep their slopes: thinner water lies on the sand like the film beside it.
 const SHORE_THIN_M = 0.45;
+// Part of the light of the water that foam near a shore keeps: its wet bubbles mirror the sky, too.
+const SHORE_FOAM_SHEEN = 0.35;
+// Sunlight that comes from behind through the foam of a breaker's front, relative to that which falls on a plane
+// towards the sun, and stops of it between the thickest and the thinnest foam.
+const SHORE_FRONT_GLOW = 1.0;
+const SHORE_FRONT_GLOW_STOPS = 2.6;
+// Share of the irradiance by the whole sky that the sky around the sun sends there.
+const SHORE_FRONT_SKY = 0.8;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 
@@ -98,6 +108,20 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> Foam
   return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
 }
 
+// Radiance of the sunlight that comes towards `v` through the front of a breaker with the slope `slope`: `fresh` is the
+// part of the foam that belongs to fronts, and `grain` the height of its relief, around 0.5. Most comes through a front
+// that stands between the eye and the sun, and little out of foam that lies level.
+fn shore_front_glow(v: vec3f, slope: vec2f, fresh: f32, grain: f32) -> vec3f {
+  let l = frame.sun_direction;
+  let behind = max(-dot(v, l), 0.0);
+  let stands = 0.2 + 0.8 * maths_smooth(5.0 * dot(slope, l.xz));
+  let through = SHORE_FRONT_GLOW * stands * fresh * behind * behind * saturate(8.0 * l.y);
+  let relief = exp2(SHORE_FRONT_GLOW_STOPS * (clamp(grain, -0.4, 1.4) - 0.5));
+  // The bright sky around the sun shines through it, too, which makes it whiter.
+  let light_behind = cloud_sun_irradiance() + SHORE_FRONT_SKY * light.sky_irradiance;
+  return light_behind * material.foam_colour * (FOAM_ALBEDO / ATM_PI * through * relief);
+}
+
 // The foam of a pixel, with the collar around stone whose share is `hard`. `ground`, `at` and `height` have the meaning
 // that they have in shore_add_lace.
 fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, height: f32) -> FoamAmount {
@@ -107,7 +131,9 @@ fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, heigh
   let reach = SHORE_COLLAR_DEPTH * run_up * (1.0 + clamp(height / run_up, -0.8, 1.0));
   let near = saturate(1.0 + ground.x / reach);
   let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_COLLAR_RUN_UP_M);
-  return shore_more_foam(foam, SHORE_COLLAR_COVER * lively * hard * maths_smooth(near), near, 0.0);
+  // A crest that meets the stone is thrown up as white water, nearest to the stone.
+  let churned = SHORE_COLLAR_CHURNED * maths_smooth(2.4 * near - 0.9) * saturate(0.7 + height / run_up);
+  return shore_more_foam(foam, SHORE_COLLAR_COVER * lively * hard * maths_smooth(1.5 * near), near, churned);
 }
 
 // The foam of a pixel, with that of the swash, which carries it at its edge, and with the collar of foam around rock and

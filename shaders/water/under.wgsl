@@ -10,15 +10,16 @@ const UNDER_SURE_M = 0.05;
 // Distance, m. A ray that begins within millimetres of the surface leaves the water before it gets so far, so a farther
 // surface does not tell on which side the ray began.
 const UNDER_FAR_M = 2.0;
-// Half the width of the dark line of the meniscus, divided by the picture's height.
-const UNDER_MENISCUS = 0.006;
+// Height, divided by the picture's, down to which a pixel under water must have more water below it in the picture.
+const UNDER_RIM = 0.003;
+// Steps by halves in which the waterline below a pixel is found.
+const UNDER_LINE_STEPS = 6;
+// How much more of the bed a pixel shows through the climbing water.
+const UNDER_SQUEEZE = 150.0;
 // Whether a part of the lens may stand in the air: if not, there is no waterline to look for.
 override UNDER_SEES_AIR: bool = true;
 // Binary logarithm of the size of the surface, m, through which the water in the picture is lit.
 const UNDER_LOG_LIT_M = 5.0;
-// Number of pixels around one that tell how far it is from the line.
-const UNDER_TAPS = 8;
-
 // As mesh_fragment, but with a negative side where the pixel shows the water from below.
 @fragment
 fn under_mesh_fragment(in: MeshFragment, @builtin(front_facing) is_front: bool) -> GBuffer {
@@ -58,21 +59,53 @@ fn under_begins(pixel: vec2i, ray: vec3f) -> bool {
     return false;
   }
   let size = vec2i(textureDimensions(depth_map));
-  let down = i32(ceil(0.5 * UNDER_MENISCUS * f32(size.y)));
+  let down = i32(ceil(UNDER_RIM * f32(size.y)));
   let below = vec2i(pixel.x, min(pixel.y + down, size.y - 1));
   return under_begins_alone(below, ray - frame.up * (2.0 * f32(below.y - pixel.y) / f32(size.y)));
 }
 
-// Share of the pixels above one, up to the width of the meniscus, whose rays begin in the air, 0 to 1.
-fn under_air_above(pixel: vec2i, ray: vec3f) -> f32 {
-  let rows = f32(textureDimensions(depth_map).y);
-  var air = 0.0;
-  for (var i = 0; i < UNDER_TAPS; i++) {
-    let up = round(UNDER_MENISCUS * rows * (f32(i) + 1.0) / f32(UNDER_TAPS));
-    let at = vec2i(pixel.x, max(pixel.y - i32(up), 0));
-    air += select(1.0, 0.0, under_begins(at, ray + frame.up * (2.0 * f32(pixel.y - at.y) / rows)));
+// Whether a pixel that seems to show air lies between two rows that show water: the edge of a fold of the surface seen
+// from below, where a pixel may catch its upper side.
+fn under_is_fold(pixel: vec2i, ray: vec3f) -> bool {
+  let rows = 2;
+  let size_y = i32(textureDimensions(depth_map).y);
+  if pixel.y < rows || pixel.y + rows >= size_y {
+    return false;
   }
-  return air / f32(UNDER_TAPS);
+  let step = frame.up * (2.0 * f32(rows) / f32(size_y));
+  return under_begins_alone(pixel + vec2i(0, rows), ray - step)
+    && under_begins_alone(pixel - vec2i(0, rows), ray + step);
+}
+
+// Height of a pixel in the air above the waterline on the lens, m; a large number where the line is not close below.
+fn under_height_above_line_m(pixel: vec2i, ray: vec3f) -> f32 {
+  let rows = i32(textureDimensions(depth_map).y);
+  let row = frame.up * (2.0 / f32(rows));
+  let row_m = frame.clip_from_relative[3].z * length(row);
+  // The last row known to show air, and the first one known to show water, counted down from the pixel.
+  var air = 0;
+  var water = min(i32(ceil(CEILING_CLIMB_M / row_m)) + 1, rows - 2 - pixel.y);
+  if water <= 0 || !under_begins(pixel + vec2i(0, water), ray - row * f32(water)) {
+    return 1.0;
+  }
+  for (var i = 0; i < UNDER_LINE_STEPS && water > air + 1; i++) {
+    let middle = (air + water) / 2;
+    if under_begins(pixel + vec2i(0, middle), ray - row * f32(middle)) {
+      water = middle;
+    } else {
+      air = middle;
+    }
+  }
+  // The surface leaves the lens at depth 1. Where between two rows it does so follows from the change of depth on the
+  // side on which the surface is seen.
+  let over = textureLoad(depth_map, pixel + vec2i(0, air), 0);
+  let under = textureLoad(depth_map, pixel + vec2i(0, water), 0);
+  let is_seen_from_below = under > over;
+  let near = max(under, over);
+  let next_y = max(pixel.y + select(air - 1, water + 1, is_seen_from_below), 0);
+  let next = textureLoad(depth_map, vec2i(pixel.x, next_y), 0);
+  let rest = saturate((1.0 - near) / max(near - next, 1e-5));
+  return select(f32(air) + rest, f32(water) - rest, is_seen_from_below) * row_m;
 }
 
 // Radiance of the water's surface at `place`, relative to the eye, seen along `dir` from below.
@@ -113,10 +146,23 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let dy = frame.footprint_scale * y.side;
   var begins = true;
   if UNDER_SEES_AIR {
-    begins = under_begins(pixel, in.ray);
+    begins = under_begins(pixel, in.ray) || under_is_fold(pixel, in.ray);
+  }
+  let dir_ahead = normalize(in.ray);
+  var lens = CeilingMeniscus(dir_ahead, 1.0, vec3f(0.0));
+  var is_climbing = false;
+  // How strongly the climbing water squeezes what lies behind it, 0 to 1.
+  var squeeze = 0.0;
+  if UNDER_SEES_AIR && !begins && abs(under_estimate_m(in.ray)) < UNDER_SURE_M {
+    let height_m = under_height_above_line_m(pixel, in.ray);
+    is_climbing = height_m < CEILING_CLIMB_M;
+    if is_climbing {
+      lens = ceiling_meniscus(dir_ahead, height_m);
+      squeeze = maths_smooth(8.0 * distance(lens.dir, dir_ahead));
+    }
   }
   // Land near the surface was drawn as such; the bed is found below.
-  let is_land = WATER_LAND && is_water && at.x > LAND_NO_WATER_M;
+  let is_land = WATER_LAND && is_water && !is_climbing && at.x > LAND_NO_WATER_M;
   let shows_ceiling = begins && is_water && !is_land;
   let foot = water_footprint(dx, dy);
   var place = vec3f(0.0);
@@ -130,15 +176,18 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shows_ceiling);
   let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && shows_ceiling);
-  if UNDER_SEES_AIR && !begins {
+  if UNDER_SEES_AIR && !begins && !is_climbing {
     discard;
   }
-  let dir = normalize(in.ray);
+  let dir = lens.dir;
   let depth_m = shafts_eye_depth_m();
   var length_m = 1e4;
   var radiance = vec3f(0.0);
   if shows_ceiling {
-    let bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
+    var bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
+    // At the edge of a fold the surface between vertices may be turned away from the eye.
+    let away = dot(bent.mean, dir.xz) - dir.y + 0.02;
+    bent.mean -= dir.xz * (max(away, 0.0) / max(dot(dir.xz, dir.xz), 1e-6));
     length_m = length(place);
     radiance = under_surface(dir, place, at, foot, bent);
   } else if is_land {
@@ -149,19 +198,17 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   } else if dir.y > 1e-3 {
     length_m = depth_m / dir.y;
   } else if WATER_BED {
-    let hit = floor_hit(dir, depth_m);
+    var hit = floor_hit(dir, depth_m);
     length_m = hit.length_m;
+    hit.length_m *= 1.0 + UNDER_SQUEEZE * squeeze;
     radiance = floor_radiance(hit, dir);
   }
   if SKY_CLOUD_SHADOWS {
     // Sunlight in the water comes from the surface around the eye.
     cloud_sun_fraction = cloud_sun_transmittance(vec2f(0.0), UNDER_LOG_LIT_M);
   }
-  let gain = shafts_gain(shafts_map, dir, depth_m, length_m);
+  let gain = mix(shafts_gain(shafts_map, dir, depth_m, length_m), 1.0, squeeze);
   radiance = radiance * medium_transmittance(length_m) + medium_radiance(dir, depth_m, length_m, gain);
-  // The water that clings to the lens bends the rays at its rim down into the dark.
-  if UNDER_SEES_AIR && abs(under_estimate_m(in.ray)) < UNDER_SURE_M {
-    radiance *= 1.0 - 0.6 * maths_smooth(1.4 * under_air_above(pixel, in.ray));
-  }
+  radiance = lens.share * radiance + lens.sky;
   return frame_hdr_output(radiance, 1.0 / length_m);
 }

@@ -95,10 +95,10 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "At the waterline",
-        description: "Half of the lens is under water, over three metres of sand with patches of seagrass, before a \
-                      low sun.",
-        state: "v=2&wind=3&fetch=10&depth=3&sun=14&sunaz=35&clouds=cirrus&glints=1&gusts=1&bedcover=0.5&bloom=0.04\
-                &dive=0.03&heading=20&fov=75&t=4.3",
+        description: "Half of the lens is under water, over three metres of sand with patches of seagrass: the \
+                      water climbs the glass and bends what lies behind it.",
+        state: "v=2&wind=3&fetch=10&depth=3&sun=38&sunaz=56&clouds=cirrus&glints=1&gusts=1&bedcover=0.5&bloom=0.04\
+                &dive=0.03&heading=110&fov=75&t=9.1",
     },
     GalleryPicture {
         title: "Rain",
