@@ -5,7 +5,7 @@ const FOAM_ALBEDO = 0.6;
 // Sunlight that comes through heaps of foam from behind, relative to that which falls on a plane towards the sun. It
 // enters through their tops, so that the shadow of the wave that carries them does not hold it back. The film of old
 // foam is too thin to glow.
-const FOAM_GLOW = 0.3;
+const FOAM_GLOW = 0.4;
 // Stops of sunlight (x) and of skylight (y) between hollows, where the grain is 0, and lumps, where it is 1.
 const FOAM_HOLLOW_STOPS = vec2f(4.5, 2.2);
 // Share of the sunlight that shades foam by its slope; light that spreads inside foam evens out the rest.

@@ -183,8 +183,8 @@ fn foam_grain_skew(kept: vec2f, turn: f32) -> f32 {
 fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> FoamAppearance {
   let has_detail = pixel.length_m > FOAM_FINEST_DETAIL_M;
   var lods = foam_lods(pixel, has_detail);
-  // The leaning front of a breaker squeezes its foam: without sharper levels it would be blurred sideways. Far away they
-  // would flicker.
+  // The leaning front of a breaker squeezes its foam: without sharper levels it would be blurred sideways. Far away
+  // they would flicker.
   let sharper = FOAM_FRONT_SHARPER * amount.fresh * saturate(1.3 - pixel.length_m);
   lods.layers -= vec4f(sharper);
   lods.billow -= sharper;
