@@ -7,7 +7,7 @@ const FOAM_ALBEDO = 0.6;
 // foam is too thin to glow.
 const FOAM_GLOW = 0.4;
 // Stops of sunlight (x) and of skylight (y) between hollows, where the grain is 0, and lumps, where it is 1.
-const FOAM_HOLLOW_STOPS = vec2f(4.5, 2.2);
+const FOAM_HOLLOW_STOPS = vec2f(4.0, 1.4);
 // Share of the sunlight that shades foam by its slope; light that spreads inside foam evens out the rest.
 const FOAM_FACING = 0.55;
 
@@ -32,7 +32,7 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
     wrapped *= saturate(lit.y / max(lit.x, 1e-6));
   }
   // Hollows see less of the sky, and light is lost between their walls.
-  let hollow = clamp(foam.grain, -0.4, 1.4);
+  let hollow = clamp(foam.grain, 0.0, 1.4);
   let soft = exp2(FOAM_HOLLOW_STOPS.y * (hollow - 0.5));
   let open = (0.55 + 0.45 * n.y) * soft;
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);

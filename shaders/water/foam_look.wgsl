@@ -41,7 +41,7 @@ const FOAM_SHADOW = 0.65;
 const FOAM_BILLOW_GRAIN = 1.2;
 // Grain by which the mean light of uneven foam exceeds that of its mean grain: half the variance of the grain of lumps,
 // times the natural logarithm of the change of light with it (FOAM_HOLLOW_STOPS).
-const FOAM_GRAIN_SKEW = 0.063;
+const FOAM_GRAIN_SKEW = 0.056;
 // Fraction of the foam that belongs to fronts, from which billows show.
 const FOAM_MIN_BILLOWING = 0.2;
 // Height of the relief of the oldest foam and of new foam, relative to that of a front.
