@@ -7,7 +7,7 @@ const FOAM_ALBEDO = 0.6;
 // foam is too thin to glow.
 const FOAM_GLOW = 0.4;
 // Stops of sunlight (x) and of skylight (y) between hollows, where the grain is 0, and lumps, where it is 1.
-const FOAM_HOLLOW_STOPS = vec2f(4.0, 1.4);
+const FOAM_HOLLOW_STOPS = vec2f(4.0, 1.8);
 // Share of the sunlight that shades foam by its slope; light that spreads inside foam evens out the rest.
 const FOAM_FACING = 0.55;
 

@@ -17,12 +17,12 @@ const FOAM_FRONT_EDGE_WEIGHTS = vec4f(0.0, -0.24, 0.08, 0.2);
 const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
 const FOAM_NEW_WEIGHTS = vec4f(0.5, 0.8, 1.05, 1.2);
 // Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
-const FOAM_FILM_SOFTNESS = 0.5;
-const FOAM_BODY_SOFTNESS = vec2f(0.3, 0.34);
+const FOAM_FILM_SOFTNESS = 0.4;
+const FOAM_BODY_SOFTNESS = vec2f(0.2, 0.28);
 // Opacity of the film (x), through which water shows, and what the body adds where it lies on it (y): of the oldest
 // foam, of new foam and of a front. The mean over the life of whitecaps is about half of that of a front (Koepke 1984).
-const FOAM_OLD_OPACITY = vec2f(0.19, 0.34);
-const FOAM_NEW_OPACITY = vec2f(0.26, 0.44);
+const FOAM_OLD_OPACITY = vec2f(0.11, 0.55);
+const FOAM_NEW_OPACITY = vec2f(0.16, 0.70);
 const FOAM_FRONT_OPACITY = vec2f(0.36, 0.62);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
