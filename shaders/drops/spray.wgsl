@@ -19,7 +19,7 @@ const SPRAY_MIST = vec2f(0.42, 0.5);
 const SPRAY_COARSE_SHARE = 0.25;
 // Optical depths of the middle of a young puff, mist (x) and coarse drops (y); and the exposure time over which a puff
 // moves in the picture, s.
-const SPRAY_OPTICAL_DEPTH = vec2f(0.7, 0.4);
+const SPRAY_OPTICAL_DEPTH = vec2f(1.1, 0.4);
 const SPRAY_EXPOSURE_S = 0.02;
 // Range of the front of a breaker over which it throws up spray; distances from the eye over which puffs appear, m.
 const SPRAY_FRONT_RANGE = vec2f(0.3, 0.8);

@@ -37,7 +37,7 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   let open = (0.55 + 0.45 * n.y) * soft;
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
   let albedo = material.foam_colour * thin * FOAM_ALBEDO;
-  let glow = FOAM_GLOW * saturate(1.0 - 2.5 * foam.film) * soft * saturate(-dot(v, l)) * saturate(8.0 * l.y);
+  let glow = FOAM_GLOW * saturate(1.0 - 4.0 * foam.film) * soft * saturate(-dot(v, l)) * saturate(8.0 * l.y);
   let direct = foam.lit * wrapped * exp2(FOAM_HOLLOW_STOPS.x * (hollow - 0.5));
   let sunlight = shadow_sun_irradiance() * direct + cloud_sun_irradiance() * glow;
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
