@@ -32,7 +32,8 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
     wrapped *= saturate(lit.y / max(lit.x, 1e-6));
   }
   // Hollows see less of the sky, and light is lost between their walls.
-  let hollow = clamp(foam.grain, 0.1, 1.4);
+  // Light is scattered into the deepest, too: the smooth limit keeps their shapes.
+  let hollow = min(0.5 * (foam.grain + sqrt(foam.grain * foam.grain + 0.05)) - 0.02, 1.4);
   let soft = exp2(FOAM_HOLLOW_STOPS.y * (hollow - 0.5));
   let open = (0.55 + 0.45 * n.y) * soft;
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
