@@ -10,6 +10,9 @@ const FOAM_GLOW = 0.4;
 const FOAM_HOLLOW_STOPS = vec2f(4.0, 1.8);
 // Share of the sunlight that shades foam by its slope; light that spreads inside foam evens out the rest.
 const FOAM_FACING = 0.55;
+// Sunlight that spreads to foam whose slope is turned away from the sun, relative to that on a plane towards the sun:
+// without it, foam in grazing light would be cut into white and dark spots.
+const FOAM_SPREAD = 0.05;
 
 // Colour of a thin film of foam: light that it scatters down comes back through the water between its bubbles.
 const FOAM_FILM_COLOUR = vec3f(0.86, 0.95, 0.97);
@@ -29,7 +32,7 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   if WATER_SHADOWS {
     // The waves within the pixel shade each other (Smith).
     let lit = water_tilt_projected_area(water_tilt_towards(l, slope));
-    wrapped *= saturate(lit.y / max(lit.x, 1e-6));
+    wrapped *= (max(lit.y, 0.0) + FOAM_SPREAD) / (max(lit.x, 0.0) + FOAM_SPREAD);
   }
   // Hollows see less of the sky, and light is lost between their walls.
   // Light is scattered into the deepest, too: the smooth limit keeps their shapes.
