@@ -12,18 +12,20 @@
 
 // Number of places along a side of a grid (`SIDE` in src/render/drops/spray.rs).
 const SPRAY_SIDE = 96u;
+// Height of a puff of mist, relative to its radius across the wind, which drives it low over the water (x); and least
+// part of the speed of mist that counts as motion across the view (y).
+const SPRAY_MIST = vec2f(0.42, 0.5);
 // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
 const SPRAY_COARSE_SHARE = 0.25;
-// Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(0.7, 0.4);
-// Exposure time over which a puff moves in the picture, s.
+// Optical depths of the middle of a young puff, mist (x) and coarse drops (y); and the exposure time over which a puff
+// moves in the picture, s.
+const SPRAY_OPTICAL_DEPTH = vec2f(1.1, 0.4);
 const SPRAY_EXPOSURE_S = 0.02;
-// Range of the front of a breaker over which it throws up spray.
+// Range of the front of a breaker over which it throws up spray; distances from the eye over which puffs appear, m.
 const SPRAY_FRONT_RANGE = vec2f(0.3, 0.8);
-// Distances from the eye over which puffs appear, m.
 const SPRAY_NEAR_M = vec2f(1.5, 5.0);
-// Share of the sunlight that drops scatter forwards, and the asymmetry of that lobe; the share of sunlight and skylight
-// that leaves a cloud of drops evenly, 1/sr; and the share of the light of the sky behind it that it scatters forwards.
+// Share of the sunlight that drops scatter forwards, and the asymmetry of that lobe; sunlight and skylight that leave a
+// cloud of drops evenly, 1/sr; and the share of the light of the sky behind it that it scatters forwards.
 const SPRAY_FORWARD_SHARE = 0.6;
 const SPRAY_ASYMMETRY = 0.74;
 const SPRAY_EVEN_SUN = 0.06;
@@ -33,20 +35,20 @@ const SPRAY_FORWARD_SKY = 0.7;
 // as a fraction of its height: rows below show the sea.
 const SPRAY_SKY_LOD = 3.0;
 const SPRAY_LOWEST_SKY = 0.05;
-// Highest speed at which eddies lift mist, relative to that of the wind.
+// Highest speed at which eddies lift mist, relative to that of the wind; fraction of the light that reaches a puff at
+// the root of the spray; and how much brighter its sunlit side is.
 const SPRAY_LIFT = 0.02;
-// Fraction of the light that reaches a puff at the root of the spray, and how much brighter its sunlit side is.
 const SPRAY_ROOT_LIGHT = 0.5;
 const SPRAY_ROUNDNESS = 0.3;
 // Drifts in which puffs lie are noise of the layer of the foam's billows: how much faster they change upwards than
 // across, and the number of parts of its tile in which their way is counted, a power of two.
 const SPRAY_DRIFT_SLOPE = 2.0;
 const SPRAY_DRIFT_PARTS = 256.0;
-// Contrast, in stops, of drifts (x), and of the noise of mist (y) and of coarse drops (z).
+// Contrast, in stops, of drifts (x), and of the noise of mist (y) and of coarse drops (z); by how much low noise
+// shortens the radius of a puff, relative to its square; and tiles of noise in the radius of mist (x) and of coarse
+// drops (y).
 const SPRAY_CONTRAST = vec3f(4.0, 5.0, 5.0);
-// By how much low noise shortens the radius of a puff, relative to its square.
 const SPRAY_TORN_EDGE = 1.6;
-// Tiles of noise in the radius of a puff: of mist (x) and of coarse drops (y).
 const SPRAY_NOISE_TILES = vec2f(0.5, 0.6);
 
 struct SprayFragment {
@@ -61,8 +63,7 @@ struct SprayFragment {
   @location(3) @interpolate(flat) sharp: vec4f,
   // Radiance behind the air, and the optical depth in the middle.
   @location(4) @interpolate(flat) light: vec4f,
-  // Distance along the viewing direction, and over which the puff fades into what it touches, m. Direction to the sun
-  // along and across the quad.
+  // Distance along the view, and over which the puff fades into what it touches, m. Direction to the sun in the quad.
   @location(5) @interpolate(flat) depth: vec4f,
 }
 
@@ -121,11 +122,10 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   let start = (spray.breaker_speed_m_s * (0.8 + 0.5 * random.w)) * spray.downwind + 2.0 * sideways;
   let gust = spray.wind_m_s * (0.75 + 0.35 * more.w);
   let carried = gust * spray.downwind + (0.2 * gust) * sideways;
-  // Eddies behind the crest lift some of the mist.
   let lift = select(SPRAY_LIFT * spray.wind_m_s * random.z * random.z, 0.0, is_coarse);
   let rest = vec3f(carried.x, lift - fall, carried.y);
-  let change = vec3f(start.x, jet, start.y) - rest;
   let left = exp(-t / relaxation_s);
+  let change = vec3f(start.x, jet, start.y) - rest;
   out.position = vec3f(place.x, 0.0, place.y) + moved + rest * t + change * (relaxation_s * (1.0 - left));
   out.velocity = rest + change * left;
   out.is_coarse = is_coarse;
@@ -149,8 +149,8 @@ fn spray_radiance(dir: vec3f, place: vec2f, open: f32) -> vec3f {
   let forwards = SPRAY_FORWARD_SHARE * atm_henyey_greenstein(dot(dir, frame.sun_direction), SPRAY_ASYMMETRY);
   let behind_at = vec2f(atan2(dir.x, -dir.z) / (2.0 * ATM_PI), 0.5 + max(dir.y / ATM_PI, SPRAY_LOWEST_SKY));
   let behind = textureSampleLevel(environment_map, sky_sampler, behind_at, SPRAY_SKY_LOD).rgb;
-  let even = sun * SPRAY_EVEN_SUN + light.sky_irradiance * SPRAY_EVEN_SKY;
-  return open * even + sun * forwards + behind * SPRAY_FORWARD_SKY;
+  return open * (sun * SPRAY_EVEN_SUN + light.sky_irradiance * SPRAY_EVEN_SKY) + sun * forwards
+    + behind * SPRAY_FORWARD_SKY;
 }
 
 // Texture coordinates of the drifts at a point relative to the point below the eye, m. Drifts are noise in space that
@@ -184,30 +184,38 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let puff = spray_puff(level, place, fract(time), random, more);
   let centre = vec3f(puff.position.x, puff.position.y - frame.eye_height_m, puff.position.z);
   let distance_m = length(centre);
-  let shown = spray_level_share(level, distance_m) * smoothstep(SPRAY_NEAR_M.x, SPRAY_NEAR_M.y, distance_m);
-  let optical_depth = puff.optical_depth * shown;
+  let near = smoothstep(SPRAY_NEAR_M.x, SPRAY_NEAR_M.y, distance_m);
+  let optical_depth = puff.optical_depth * near * spray_level_share(level, distance_m);
   let ahead_m = dot(centre, frame.forward);
   if optical_depth < 0.004 || ahead_m < 0.5 {
     return out;
   }
   let dir = centre / distance_m;
-  // The quad faces the eye. It is drawn out by as much of the motion as the eye sees.
-  let seen = puff.velocity - dir * dot(puff.velocity, dir);
-  let speed = max(length(seen), 1e-3);
-  let along = seen / speed;
-  let side = cross(dir, along);
-  let drawn_out = 1.0 + (puff.stretch - 1.0) * speed / max(length(puff.velocity), speed);
-  let long_m = puff.radius_m * drawn_out + 0.5 * SPRAY_EXPOSURE_S * speed;
+  // The quad faces the eye. It is drawn out by as much of the motion as the eye sees. A puff that comes towards the eye
+  // lies along the crest that it was torn from, so that it stays low over the water.
+  let level_axis = normalize(vec3f(-dir.z, 0.0, dir.x));
+  let speed = max(length(puff.velocity), 1e-3);
+  let sideways = dot(puff.velocity, level_axis);
+  let most = max(abs(sideways), select(SPRAY_MIST.y * speed, 0.0, puff.is_coarse));
+  let moved = select(-most, most, sideways >= 0.0) * level_axis
+    + dot(puff.velocity, cross(level_axis, dir)) * cross(level_axis, dir);
+  let seen = length(moved) + 1e-3;
+  let along = moved / seen;
+  let drawn_out = 1.0 + (puff.stretch - 1.0) * min(seen / speed, 1.0);
+  let long_m = puff.radius_m * drawn_out + 0.5 * SPRAY_EXPOSURE_S * seen;
+  let high_m = puff.radius_m * select(SPRAY_MIST.x, 1.0, puff.is_coarse);
   let at = drop_corner(corner);
-  let point = centre + along * (at.x * long_m) + side * (at.y * puff.radius_m);
+  let side = cross(dir, along);
+  let point = centre + along * (at.x * long_m) + side * (at.y * high_m);
   let drop = dot(point.xz, point.xz) / (2.0 * FRAME_EARTH_RADIUS_M);
   out.clip = frame.clip_from_relative * vec4f(point.x, point.y - drop, point.z, 1.0);
   out.at = at;
   out.drift = spray_drift(vec3f(point.x, point.y + frame.eye_height_m, point.z));
   let pixel_m = distance_m * frame.pixel_angle;
   let scale = select(SPRAY_NOISE_TILES.x, SPRAY_NOISE_TILES.y, puff.is_coarse);
-  out.noise = vec4f(random.wx, scale * long_m / puff.radius_m, scale);
-  let lod = max(log2(512.0 * scale * pixel_m / puff.radius_m), 0.0);
+  // The noise is drawn out as the puff is: the wind tears mist to threads.
+  out.noise = vec4f(random.wx, vec2f(scale));
+  let lod = max(log2(512.0 * scale * pixel_m / high_m), 0.0);
   let drift_lod = max(log2(pixel_m) + material.noise_layers[FOAM_BILLOW_LAYER].log_texels_per_m, 0.0);
   let contrast = select(SPRAY_CONTRAST.y, SPRAY_CONTRAST.z, puff.is_coarse);
   // Means of the exponentials of even noise fall to 1 as pixels grow and the mip levels of the noise become even.
@@ -217,21 +225,19 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let air = air_to_point(dir, distance_m);
   out.light = vec4f(spray_radiance(dir, centre.xz, puff.open) * air[1] + air[0], optical_depth);
   let towards_sun = vec2f(dot(along, frame.sun_direction), dot(side, frame.sun_direction));
-  out.depth = vec4f(ahead_m, 0.7 * puff.radius_m, towards_sun);
+  out.depth = vec4f(ahead_m, 0.7 * high_m, towards_sun);
   return out;
 }
 
 // Mean of 2^(contrast (x - 1/2)) for x even over 0 to 1.
 fn spray_mean(contrast: f32) -> f32 {
-  let half = 0.34657359 * contrast;
-  return sinh(half) / half;
+  return sinh(0.34657359 * contrast) / (0.34657359 * contrast);
 }
 
 @fragment
 fn fragment(in: SprayFragment) -> @location(0) vec4f {
   let drift = textureSampleLevel(noise_map, noise_sampler, in.drift, 0, in.sharp.x).b - 0.5;
-  let own_at = in.noise.xy + in.at * in.noise.zw;
-  let own = textureSampleLevel(noise_map, noise_sampler, own_at, 0, in.sharp.y).b - 0.5;
+  let own = textureSampleLevel(noise_map, noise_sampler, in.noise.xy + in.at * in.noise.zw, 0, in.sharp.y).b - 0.5;
   // Where the noise is low, the puff reaches less far, so that its edge is torn and not a circle.
   let inside = saturate(1.0 - dot(in.at, in.at) * (1.0 + SPRAY_TORN_EDGE * (0.5 - own)));
   let scene_m = frame.clip_from_relative[3].z / max(textureLoad(depth_map, vec2i(in.clip.xy), 0), 1e-9);

@@ -2,12 +2,17 @@
 
 // Reflectance of thick fresh foam (Whitlock, Bartlett and Gurganus 1982; Koepke 1984).
 const FOAM_ALBEDO = 0.6;
-// Sunlight that comes through heaps of foam from behind, relative to that which falls on a plane towards the sun.
-const FOAM_GLOW = 0.16;
+// Sunlight that comes through heaps of foam from behind, relative to that which falls on a plane towards the sun. It
+// enters through their tops, so that the shadow of the wave that carries them does not hold it back. The film of old
+// foam is too thin to glow.
+const FOAM_GLOW = 0.4;
 // Stops of sunlight (x) and of skylight (y) between hollows, where the grain is 0, and lumps, where it is 1.
-const FOAM_HOLLOW_STOPS = vec2f(3.2, 1.6);
+const FOAM_HOLLOW_STOPS = vec2f(4.0, 1.8);
 // Share of the sunlight that shades foam by its slope; light that spreads inside foam evens out the rest.
 const FOAM_FACING = 0.55;
+// Sunlight that spreads to foam whose slope is turned away from the sun, relative to that on a plane towards the sun:
+// without it, foam in grazing light would be cut into white and dark spots.
+const FOAM_SPREAD = 0.05;
 
 // Colour of a thin film of foam: light that it scatters down comes back through the water between its bubbles.
 const FOAM_FILM_COLOUR = vec3f(0.86, 0.95, 0.97);
@@ -27,16 +32,18 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   if WATER_SHADOWS {
     // The waves within the pixel shade each other (Smith).
     let lit = water_tilt_projected_area(water_tilt_towards(l, slope));
-    wrapped *= saturate(lit.y / max(lit.x, 1e-6));
+    wrapped *= (max(lit.y, 0.0) + FOAM_SPREAD) / (max(lit.x, 0.0) + FOAM_SPREAD);
   }
   // Hollows see less of the sky, and light is lost between their walls.
-  let hollow = clamp(foam.grain, -0.4, 1.4);
-  let open = (0.55 + 0.45 * n.y) * exp2(FOAM_HOLLOW_STOPS.y * (hollow - 0.5));
+  // Light is scattered into the deepest, too: the smooth limit keeps their shapes.
+  let hollow = min(0.5 * (foam.grain + sqrt(foam.grain * foam.grain + 0.05)) - 0.02, 1.4);
+  let soft = exp2(FOAM_HOLLOW_STOPS.y * (hollow - 0.5));
+  let open = (0.55 + 0.45 * n.y) * soft;
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
   let albedo = material.foam_colour * thin * FOAM_ALBEDO;
-  let behind = max(-dot(v, l), 0.0);
-  let glow = FOAM_GLOW * behind * behind * saturate(8.0 * l.y);
-  let sunlight = shadow_sun_irradiance() * (foam.lit * wrapped * exp2(FOAM_HOLLOW_STOPS.x * (hollow - 0.5)) + glow);
+  let glow = FOAM_GLOW * saturate(1.0 - 4.0 * foam.film) * soft * saturate(-dot(v, l)) * saturate(8.0 * l.y);
+  let direct = foam.lit * wrapped * exp2(FOAM_HOLLOW_STOPS.x * (hollow - 0.5));
+  let sunlight = shadow_sun_irradiance() * direct + cloud_sun_irradiance() * glow;
   let body = (sunlight + light.sky_irradiance * open) * (albedo / ATM_PI);
   if l.y <= 0.0 || cosine <= 0.0 {
     return body;

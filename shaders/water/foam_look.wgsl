@@ -17,21 +17,21 @@ const FOAM_FRONT_EDGE_WEIGHTS = vec4f(0.0, -0.24, 0.08, 0.2);
 const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
 const FOAM_NEW_WEIGHTS = vec4f(0.5, 0.8, 1.05, 1.2);
 // Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
-const FOAM_FILM_SOFTNESS = 0.5;
-const FOAM_BODY_SOFTNESS = vec2f(0.3, 0.34);
+const FOAM_FILM_SOFTNESS = 0.4;
+const FOAM_BODY_SOFTNESS = vec2f(0.2, 0.28);
 // Opacity of the film (x), through which water shows, and what the body adds where it lies on it (y): of the oldest
 // foam, of new foam and of a front. The mean over the life of whitecaps is about half of that of a front (Koepke 1984).
-const FOAM_OLD_OPACITY = vec2f(0.19, 0.34);
-const FOAM_NEW_OPACITY = vec2f(0.26, 0.44);
+const FOAM_OLD_OPACITY = vec2f(0.11, 0.55);
+const FOAM_NEW_OPACITY = vec2f(0.16, 0.70);
 const FOAM_FRONT_OPACITY = vec2f(0.36, 0.62);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.35, -0.45);
 // Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
 // centimetres (z), m.
-const FOAM_LUMP_HEIGHT_M = vec3f(0.5, 0.11, 0.008);
+const FOAM_LUMP_HEIGHT_M = vec3f(0.2, 0.04, 0.008);
 // Height of the body of old foam (x) and of a front (y) above the water, m.
-const FOAM_BODY_HEIGHT_M = vec2f(0.03, 0.25);
+const FOAM_BODY_HEIGHT_M = vec2f(0.03, 0.15);
 // Least distances, m, over which their slopes are measured, and that to billows that may cast a shadow.
 const FOAM_RELIEF_STEP_M = vec3f(0.4, 0.08, 0.01);
 const FOAM_SHADOW_STEP_M = 1.5;
@@ -41,7 +41,7 @@ const FOAM_SHADOW = 0.65;
 const FOAM_BILLOW_GRAIN = 1.2;
 // Grain by which the mean light of uneven foam exceeds that of its mean grain: half the variance of the grain of lumps,
 // times the natural logarithm of the change of light with it (FOAM_HOLLOW_STOPS).
-const FOAM_GRAIN_SKEW = 0.045;
+const FOAM_GRAIN_SKEW = 0.056;
 // Fraction of the foam that belongs to fronts, from which billows show.
 const FOAM_MIN_BILLOWING = 0.2;
 // Height of the relief of the oldest foam and of new foam, relative to that of a front.
@@ -54,8 +54,8 @@ const FOAM_MIN_RESOLVED = 0.05;
 const FOAM_MIN_LAYER_VARIANCE = 0.02;
 // Fraction of a pixel's light from foam, below which its relief is not seen.
 const FOAM_MIN_RELIEF_COVER = 0.02;
-// Mip levels by which the noise of a front at a coast is sharper.
-const FOAM_SURF_SHARPER = 1.0;
+// Mip levels by which the noise of a front is sharper.
+const FOAM_FRONT_SHARPER = 1.0;
 // Length over which the finest noise changes, m. Longer pixels have two samples.
 const FOAM_FINEST_DETAIL_M = 0.02;
 
@@ -183,13 +183,11 @@ fn foam_grain_skew(kept: vec2f, turn: f32) -> f32 {
 fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> FoamAppearance {
   let has_detail = pixel.length_m > FOAM_FINEST_DETAIL_M;
   var lods = foam_lods(pixel, has_detail);
-  if WATER_COAST {
-    // The leaning front of a breaker at a coast squeezes its foam: without sharper levels it would be blurred sideways.
-    // Far away they would flicker.
-    let sharper = FOAM_SURF_SHARPER * amount.fresh * saturate(1.3 - pixel.length_m);
-    lods.layers -= vec4f(sharper);
-    lods.billow -= sharper;
-  }
+  // The leaning front of a breaker squeezes its foam: without sharper levels it would be blurred sideways. Far away
+  // they would flicker.
+  let sharper = FOAM_FRONT_SHARPER * amount.fresh * saturate(1.3 - pixel.length_m);
+  lods.layers -= vec4f(sharper);
+  lods.billow -= sharper;
   var kept = material_variance_left(lods.layers);
   let billows = MATERIAL_VARIANCE_STEEPNESS.y * (lods.billow - MATERIAL_HALF_VARIANCE_LOD.y);
   kept.y = mix(kept.y, 1.0 / (1.0 + exp2(billows)), amount.fresh);

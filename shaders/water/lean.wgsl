@@ -20,7 +20,7 @@ const LEAN_SOFTNESS = 0.5;
 // Distance over which the slope of a front's billows is measured, m; their height for one unit of the noise, m; and how
 // much hollows and lumps differ in light.
 const LEAN_RELIEF_STEP_M = 0.5;
-const LEAN_BILLOW_M = 2.1;
+const LEAN_BILLOW_M = 0.85;
 const LEAN_GRAIN = 1.3;
 // Opacity of the oldest foam, film and body together, and what youth adds.
 const LEAN_OLD_FOAM_OPACITY = vec2f(0.2, 0.36);
