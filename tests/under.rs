@@ -191,9 +191,11 @@ fn the_waterline_is_where_the_surface_cuts_the_lens() {
             // Water is much less red than the air and what it mirrors.
             let ratio = |y: u32| light[(y * SIZE[0] + x) as usize][0] / light[(y * SIZE[0] + x) as usize][2];
             let rows: Vec<u32> = (1..SIZE[1]).filter(|&y| ratio(y) < 0.3 && ratio(y - 1) >= 0.3).collect();
-            assert_eq!(rows.len(), 1, "one waterline in column {x} at {dive_m} m: {rows:?}");
-            let off = f64::from(rows[0]) - line;
-            assert!((-climb - 2.0..=2.0).contains(&off), "column {x}: {rows:?} for {line}");
+            let [first, last] = [line - climb - 2.0, line + 2.0];
+            let are_here = !rows.is_empty() && rows.iter().all(|y| (first..=last).contains(&f64::from(*y)));
+            assert!(are_here, "column {x} at {dive_m} m: {rows:?} for {line}");
+            let mut below = last.ceil() as u32..SIZE[1];
+            assert!(below.all(|y| ratio(y) < 0.3), "water below the line in column {x} at {dive_m} m");
         }
     }
 }
