@@ -2,11 +2,10 @@
 
 use super::budget::{Assumptions, GPU_CLASSES};
 use super::cost::{self, Cost, PictureContents};
-use crate::ocean::passes::{MapSizes, planned_vertex_count};
-use crate::render::waves_cast_shadows;
+use crate::ocean::passes::{MapSizes, planned_vertex_count, planned_wave_shadows};
 use crate::state::Params;
 use crate::state::camera::View;
-use crate::waves::{Plan, slopes};
+use crate::waves::Plan;
 use std::fmt;
 
 /// Sizes from which the work of the passes of one frame is counted.
@@ -27,8 +26,6 @@ impl FrameWork {
         let [width, height] = size.map(f64::from);
         let camera = &params.camera;
         let view = View::new(camera, width / height, 0.0);
-        let sun_deg = params.look.sky.sun_elevation_azimuth_deg()[0];
-        let has_shadows = waves_cast_shadows(sun_deg, slopes::resolved_slope_variance(plan));
         // With a level view, the lower half of the picture is below the horizon.
         let horizon = (-camera.pitch_deg.to_radians()).tan() / view.tan_half_fov[1];
         let texels = f64::from(maps.map_texels_per_side).powi(2) * f64::from(maps.cascades) * 4.0 / 3.0;
@@ -38,7 +35,11 @@ impl FrameWork {
             vertices: f64::from(vertices),
             map_bytes: texels * f64::from(maps.format.bytes_per_texel()),
             light: cost::LIGHT_FRAGMENT_COST,
-            displace: if has_shadows { cost::SHADED_DISPLACE_VERTEX_COST } else { cost::DISPLACE_VERTEX_COST },
+            displace: if planned_wave_shadows(params, plan) {
+                cost::SHADED_DISPLACE_VERTEX_COST
+            } else {
+                cost::DISPLACE_VERTEX_COST
+            },
         };
         Self { size, maps, picture }
     }

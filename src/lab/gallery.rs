@@ -52,25 +52,25 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Gale",
-        description: "Beaufort 9 over 500 km of water: crests break one behind the other, and spill foam down their \
-                      lee faces.",
+        description: "Beaufort 9 over 500 km of water: breakers have passed, and leave streaks of foam over pale water \
+                      full of bubbles.",
         state: "v=2&wind=22&fetch=500&dir=250&sun=15&sunaz=165&haze=0.6&clouds=stratocumulus&cloudcover=0.5&glints=1\
-                &gusts=1&spray=1&exposure=-0.8&bloom=0.04&y=4&heading=266&pitch=0&fov=28&t=95",
+                &gusts=1&spray=1&exposure=-0.5&bloom=0.04&y=4&heading=241&pitch=0&fov=30&t=54.5",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
-        description: "Beaufort 10 over 800 km of open water, a significant height of 17 m: a comber breaks before a \
-                      squall.",
-        state: "v=2&wind=28&fetch=800&dir=270&sun=16&sunaz=190&haze=0.5&overcast=0.55&clouds=stratocumulus\
-                &cloudcover=0.76&squalls=0.8&glints=1&gusts=1&spray=1&exposure=-0.4&bloom=0.04&y=6&heading=281\
-                &pitch=0.5&fov=26&t=54.7",
+        description: "Beaufort 10 over 800 km of open water, a significant height of 17 m: foam lies in long streaks \
+                      along the wind before a squall.",
+        state: "v=2&wind=28&fetch=800&dir=270&sun=10&sunaz=190&haze=0.5&overcast=0.55&clouds=stratocumulus\
+                &cloudcover=0.76&squalls=0.8&glints=1&gusts=1&spray=1&exposure=-0.3&bloom=0.04&y=3&heading=264\
+                &pitch=0.5&fov=25&t=51",
     },
     GalleryPicture {
         title: "Spindrift",
-        description: "Beaufort 10 with the sun behind the crests: the wind tears spray off a breaker, and foam glows \
-                      with the light behind it.",
+        description: "Beaufort 10 beside the sun's glitter: streaks of foam lie along the wind, which tears spray off the \
+                      crests.",
         state: "v=2&wind=26&fetch=500&dir=250&sun=12&sunaz=232&haze=0.3&clouds=stratocumulus&cloudcover=0.45&glints=1\
-                &gusts=1&spray=1&exposure=-0.2&bloom=0.04&y=4&heading=197&pitch=0.5&fov=22&t=23",
+                &gusts=1&spray=1&exposure=-0.3&bloom=0.04&y=3&heading=210&pitch=0&fov=40&t=31",
     },
     GalleryPicture {
         title: "Long swell",

@@ -4,13 +4,13 @@ use super::land::{built_in_land, relative_to_still_water};
 use super::{MIN_EYE_HEIGHT_M, Ocean, TimedPart};
 use crate::gpu::map_format::MapFormat;
 use crate::gpu::timer::Timer;
-use crate::render::{Renderer, SeaAppearance, planned_mesh_vertices};
+use crate::render::{Renderer, SeaAppearance, planned_mesh_vertices, waves_cast_shadows};
 use crate::sim::Simulation;
 use crate::sim::planned_sea::SeaDispatch;
 use crate::sim::resources::foam_cells_per_side;
 use crate::state::Params;
 use crate::state::camera::View;
-use crate::waves::Plan;
+use crate::waves::{Plan, slopes};
 
 /// A GPU compute pass of the simulation of waves and foam, which [`WavePasses::record`] can run alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,6 +83,12 @@ pub fn planned_vertex_count(params: &Params, plan: &Plan, size: [u32; 2]) -> u32
     let [width, height] = size.map(f64::from);
     let camera = relative_to_still_water(&params.camera, &sea, built_in_land(params).as_deref());
     planned_mesh_vertices(&View::new(&camera, width / height, MIN_EYE_HEIGHT_M), &sea, &params.look, size)
+}
+
+/// Whether waves shade each other in a picture of the sea of `params`, whose plan is `plan`.
+pub fn planned_wave_shadows(params: &Params, plan: &Plan) -> bool {
+    let sun_deg = params.look.sky.sun_elevation_azimuth_deg()[0];
+    waves_cast_shadows(sun_deg, slopes::resolved_slope_variance(plan))
 }
 
 impl Ocean {
