@@ -10,6 +10,7 @@ use seastate::gpu::readback::stage_texture;
 use seastate::ocean::still::PICTURE_FORMAT;
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::render::{self, MaterialUniform, Renderer};
+use seastate::shaders::Shaders;
 use wgpu::BufferUsages;
 
 const MODULE: &str = "water/under";
@@ -17,11 +18,21 @@ const INDEX: f64 = 1.333;
 
 /// Linear light of a picture of a sea without waves, ripples and roughness, row by row from the top.
 fn flat_light(gpu: &Gpu, state: &str, size: [u32; 2]) -> (Vec<[f32; 4]>, seastate::state::camera::View) {
+    flat_light_with(gpu, shaders(), state, size)
+}
+
+/// As [`flat_light`], with some shaders.
+fn flat_light_with(
+    gpu: &Gpu,
+    shaders: Shaders,
+    state: &str,
+    size: [u32; 2],
+) -> (Vec<[f32; 4]>, seastate::state::camera::View) {
     let params = params(&format!("scale=0&foam=0&n=64&{state}"));
     let mut ocean = Ocean::without_renderer(gpu, &params);
     let mut scene = ocean.scene(size);
     scene.sea.unresolved_slope_variance = [0.0; 2];
-    let mut renderer = Renderer::new(gpu, &shaders(), PICTURE_FORMAT, OutputKind::ReadBack);
+    let mut renderer = Renderer::new(gpu, &shaders, PICTURE_FORMAT, OutputKind::ReadBack);
     let mut encoder = gpu.encoder("test");
     ocean.simulation().encode_with_f32_maps(gpu, &mut encoder, 0.0);
     renderer.draw(gpu, &mut encoder, ocean.maps(), &scene, size);
@@ -174,10 +185,33 @@ fn shafts_keep_the_mean_of_the_sunlight() {
     }
 }
 
-/// On a flat sea, the surface crosses the lens where geometry says, all along, and the picture has no hole. The water
-/// that climbs the lens may look like air or like water.
+/// On a flat sea, the surface crosses the lens where geometry says, all along, and the picture has no hole. Here
+/// no water climbs the lens.
 #[test]
 fn the_waterline_is_where_the_surface_cuts_the_lens() {
+    const SIZE: [u32; 2] = [96, 128];
+    let gpu = common::gpu();
+    let dry = shaders().patched("water/under", "const CEILING_CLIMB_M = 0.0038;", "const CEILING_CLIMB_M = 1e-9;");
+    for dive_m in [0.005, 0.01, 0.02] {
+        let (light, view) =
+            flat_light_with(&gpu, dry.clone(), &format!("dive={dive_m}&pitch=0&sun=50&heading=200"), SIZE);
+        assert!(light.iter().all(|p| p.iter().all(|c| c.is_finite()) && p[3] >= 0.99), "a hole at {dive_m} m");
+        // The lens is 0.1 m before the eye.
+        let line = 0.5 * f64::from(SIZE[1]) * (1.0 - dive_m / 0.1 / view.tan_half_fov[1]);
+        for x in 0..SIZE[0] {
+            // Water is much less red than the air and what it mirrors.
+            let ratio = |y: u32| light[(y * SIZE[0] + x) as usize][0] / light[(y * SIZE[0] + x) as usize][2];
+            let rows: Vec<u32> = (1..SIZE[1]).filter(|&y| ratio(y) < 0.3 && ratio(y - 1) >= 0.3).collect();
+            assert_eq!(rows.len(), 1, "one waterline in column {x} at {dive_m} m: {rows:?}");
+            assert!((f64::from(rows[0]) - line).abs() <= 2.0, "column {x}: {rows:?} for {line}");
+        }
+    }
+}
+
+/// The water that climbs the lens lies above the line of the surface, no higher than water climbs glass, and the picture
+/// has no hole. It may look like air or like water.
+#[test]
+fn water_climbs_the_lens_as_it_climbs_glass() {
     const SIZE: [u32; 2] = [96, 128];
     let gpu = common::gpu();
     for dive_m in [0.005, 0.01, 0.02] {

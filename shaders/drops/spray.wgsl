@@ -12,43 +12,34 @@
 
 // Number of places along a side of a grid (`SIDE` in src/render/drops/spray.rs).
 const SPRAY_SIDE = 96u;
-// Height of a puff of mist, relative to its radius across the wind, which drives it low over the water (x); and least
-// part of the speed of mist that counts as motion across the view (y).
-const SPRAY_MIST = vec2f(0.42, 0.5);
+// Height of a puff of mist, relative to its radius: the wind drives mist low over the water.
+const SPRAY_MIST_HEIGHT = 0.42;
+// Least part of the speed of mist that counts as motion across the view.
+const SPRAY_LEAST_SIDEWAYS = 0.5;
 // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
 const SPRAY_COARSE_SHARE = 0.25;
-// Optical depths of the middle of a young puff, mist (x) and coarse drops (y); and the exposure time over which a puff
-// moves in the picture, s.
+// Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
 const SPRAY_OPTICAL_DEPTH = vec2f(1.1, 0.4);
+// Exposure time over which a puff moves in the picture, s.
 const SPRAY_EXPOSURE_S = 0.02;
-// Range of the front of a breaker over which it throws up spray; distances from the eye over which puffs appear, m.
+// Range of the front of a breaker over which it throws up spray.
 const SPRAY_FRONT_RANGE = vec2f(0.3, 0.8);
+// Distances from the eye over which puffs appear, m.
 const SPRAY_NEAR_M = vec2f(1.5, 5.0);
-// Share of the sunlight that drops scatter forwards, and the asymmetry of that lobe; sunlight and skylight that leave a
-// cloud of drops evenly, 1/sr; and the share of the light of the sky behind it that it scatters forwards.
-const SPRAY_FORWARD_SHARE = 0.6;
-const SPRAY_ASYMMETRY = 0.74;
-const SPRAY_EVEN_SUN = 0.06;
-const SPRAY_EVEN_SKY = 0.12;
-const SPRAY_FORWARD_SKY = 0.7;
-// Mip level of the environment map at which its texels are as wide as that lobe, and the lowest row of it that is read,
-// as a fraction of its height: rows below show the sea.
-const SPRAY_SKY_LOD = 3.0;
-const SPRAY_LOWEST_SKY = 0.05;
-// Highest speed at which eddies lift mist, relative to that of the wind; fraction of the light that reaches a puff at
-// the root of the spray; and how much brighter its sunlit side is.
+// Highest speed at which eddies behind the crest lift mist, relative to that of the wind.
 const SPRAY_LIFT = 0.02;
+// Fraction of the light that reaches a puff at the root of the spray, and how much brighter its sunlit side is.
 const SPRAY_ROOT_LIGHT = 0.5;
 const SPRAY_ROUNDNESS = 0.3;
 // Drifts in which puffs lie are noise of the layer of the foam's billows: how much faster they change upwards than
 // across, and the number of parts of its tile in which their way is counted, a power of two.
 const SPRAY_DRIFT_SLOPE = 2.0;
 const SPRAY_DRIFT_PARTS = 256.0;
-// Contrast, in stops, of drifts (x), and of the noise of mist (y) and of coarse drops (z); by how much low noise
-// shortens the radius of a puff, relative to its square; and tiles of noise in the radius of mist (x) and of coarse
-// drops (y).
+// Contrast, in stops, of drifts (x), and of the noise of mist (y) and of coarse drops (z).
 const SPRAY_CONTRAST = vec3f(4.0, 5.0, 5.0);
+// By how much low noise shortens the radius of a puff, relative to its square.
 const SPRAY_TORN_EDGE = 1.6;
+// Tiles of noise in the radius of a puff: of mist (x) and of coarse drops (y).
 const SPRAY_NOISE_TILES = vec2f(0.5, 0.6);
 
 struct SprayFragment {
@@ -63,7 +54,8 @@ struct SprayFragment {
   @location(3) @interpolate(flat) sharp: vec4f,
   // Radiance behind the air, and the optical depth in the middle.
   @location(4) @interpolate(flat) light: vec4f,
-  // Distance along the view, and over which the puff fades into what it touches, m. Direction to the sun in the quad.
+  // Distance along the viewing direction, and over which the puff fades into what it touches, m. Direction to the sun
+  // along and across the quad.
   @location(5) @interpolate(flat) depth: vec4f,
 }
 
@@ -142,17 +134,6 @@ fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) ->
   return out;
 }
 
-// Radiance of spray that the optical depth makes opaque, before the air in front of it. Drops scatter most of the light
-// forwards, so spray takes on the light of the sky behind it. The fraction `open` of the other light reaches it.
-fn spray_radiance(dir: vec3f, place: vec2f, open: f32) -> vec3f {
-  let sun = drop_sunlight(place);
-  let forwards = SPRAY_FORWARD_SHARE * atm_henyey_greenstein(dot(dir, frame.sun_direction), SPRAY_ASYMMETRY);
-  let behind_at = vec2f(atan2(dir.x, -dir.z) / (2.0 * ATM_PI), 0.5 + max(dir.y / ATM_PI, SPRAY_LOWEST_SKY));
-  let behind = textureSampleLevel(environment_map, sky_sampler, behind_at, SPRAY_SKY_LOD).rgb;
-  return open * (sun * SPRAY_EVEN_SUN + light.sky_irradiance * SPRAY_EVEN_SKY) + sun * forwards
-    + behind * SPRAY_FORWARD_SKY;
-}
-
 // Texture coordinates of the drifts at a point relative to the point below the eye, m. Drifts are noise in space that
 // does not change along lines which sink downwind, and that the wind carries along. Their way in a period is rounded to
 // a whole number of parts of the tile, so that whole numbers count it however late it is.
@@ -196,14 +177,14 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let level_axis = normalize(vec3f(-dir.z, 0.0, dir.x));
   let speed = max(length(puff.velocity), 1e-3);
   let sideways = dot(puff.velocity, level_axis);
-  let most = max(abs(sideways), select(SPRAY_MIST.y * speed, 0.0, puff.is_coarse));
-  let moved = select(-most, most, sideways >= 0.0) * level_axis
-    + dot(puff.velocity, cross(level_axis, dir)) * cross(level_axis, dir);
+  let most = max(abs(sideways), select(SPRAY_LEAST_SIDEWAYS * speed, 0.0, puff.is_coarse));
+  let up_axis = cross(level_axis, dir);
+  let moved = select(-most, most, sideways >= 0.0) * level_axis + dot(puff.velocity, up_axis) * up_axis;
   let seen = length(moved) + 1e-3;
   let along = moved / seen;
   let drawn_out = 1.0 + (puff.stretch - 1.0) * min(seen / speed, 1.0);
   let long_m = puff.radius_m * drawn_out + 0.5 * SPRAY_EXPOSURE_S * seen;
-  let high_m = puff.radius_m * select(SPRAY_MIST.x, 1.0, puff.is_coarse);
+  let high_m = puff.radius_m * select(SPRAY_MIST_HEIGHT, 1.0, puff.is_coarse);
   let at = drop_corner(corner);
   let side = cross(dir, along);
   let point = centre + along * (at.x * long_m) + side * (at.y * high_m);

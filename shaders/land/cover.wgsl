@@ -200,11 +200,11 @@ fn cover_ground(look: f32, along: f32, place: vec2f, height: f32, run_up: f32, s
 }
 
 // Side of the tile of blocks of a breakwater, m, which holds 19 of them, and smaller ones between.
-const LAND_BLOCKS_M = 31.0;
+const COVER_BLOCKS_M = 31.0;
 
 // Blocks of a breakwater: light stone above, weed below, and dark gaps between.
-fn land_rubble(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
-  let blocks = land_noise(place + 0.7 * height, LAND_BLOCKS_M, size);
+fn cover_rubble(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
+  let blocks = land_noise(place + 0.7 * height, COVER_BLOCKS_M, size);
   let gap = saturate(-0.55 * blocks.w - 0.1);
   var out: LandGround;
   out.albedo = LAND_BLOCK * max(1.0 + 0.16 * middle.z + 0.13 * blocks.z + 0.08 * fine.z, 0.3) * (1.0 - 0.8 * gap);
@@ -216,7 +216,7 @@ fn land_rubble(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f,
 }
 
 // Concrete in slabs with joints, stained, and weedy at the waterline.
-fn land_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
+fn cover_concrete(place: vec2f, height: f32, size: f32, middle: vec4f, fine: vec4f) -> LandGround {
   let joint = abs(fract(place.y * (1.0 / 8.0)) - 0.5) * 8.0;
   let line = clamp((0.06 - joint) / max(size, 0.02) + 0.5, 0.0, min(0.12 / max(size, 0.02), 1.0));
   var out: LandGround;

@@ -227,9 +227,9 @@ fn land_ground(
     out = land_plants(out, 1.0 - upright, place, height, size, middle, fine, wide);
   }
   if built > 0.0 {
-    var made = land_concrete(place, height, size, middle, fine);
+    var made = cover_concrete(place, height, size, middle, fine);
     if map.w < 0.0 {
-      made = land_rubble(place, height, run_up, size, middle, fine);
+      made = cover_rubble(place, height, run_up, size, middle, fine);
     }
     out = land_mix(out, made, built);
   }

@@ -179,7 +179,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, ground.film);
     let foam = swash_foam(position.xz, size, ground.film * lies, dir);
     // Wet bubbles mirror the sky as the film between them does.
-    let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + SWASH_SHEEN * radiance;
+    let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + FOAM_SHORE_SHEEN * radiance;
     radiance = mix(foam.beside * radiance, white, foam.opacity);
   }
   let air = air_to_point(dir, distance_m);

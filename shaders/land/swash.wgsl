@@ -63,9 +63,6 @@ fn swash_cover(at: vec2f, size: f32) -> f32 {
   return min(foam_cell(level, at).x * frame.foam_amount, 1.0);
 }
 
-// Part of the light of the film that the foam on it keeps.
-const SWASH_SHEEN = 0.35;
-
 // Foam on a film of water.
 struct SwashFoam {
   opacity: f32,

@@ -9,7 +9,8 @@ const CEILING_NODE_STEP = 0.8;
 const CEILING_DISC_WIDENING = 17.0;
 // Fraction of the daylight above a layer of foam that comes out below.
 const CEILING_FOAM_TRANSMITTANCE = 0.4;
-// Capillary length of water, m. Water climbs glass that it wets by its square root of two, and there stands upright.
+// Capillary length of water, m, and how high water climbs glass that it wets: the square root of two times as high. At
+// the upper edge its surface stands upright.
 const CEILING_CAPILLARY_M = 0.0027;
 const CEILING_CLIMB_M = 0.0038;
 // Share of the light that is left where the climbing water mirrors the dark rim of the lens.
@@ -64,6 +65,12 @@ fn ceiling_sun(dir: vec3f, slope: WaterSlope) -> vec3f {
   return cloud_sun_irradiance() * ((1.0 - water_fresnel(cosines.x)) * min(facets, most));
 }
 
+// Radiance of the sky in a direction, from a layer of the table of the mirrored sky.
+fn ceiling_sky(dir: vec3f, layer: f32) -> vec3f {
+  let uv = 0.5 + MIRRORED_SCALE * dir.xz / (1.0 + max(dir.y, -0.9));
+  return textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), layer), 0.0).rgb;
+}
+
 // Radiance of the surface, without foam, towards an eye below that looks along `dir`. `below` is the radiance of the water
 // from which total reflection takes its light.
 fn ceiling_radiance(dir: vec3f, slope: WaterSlope, below: vec3f) -> vec3f {
@@ -89,10 +96,8 @@ fn ceiling_radiance(dir: vec3f, slope: WaterSlope, below: vec3f) -> vec3f {
       let lifted = facet.above;
       let turn = index * dot(dir, n) / max(dot(lifted, n), 0.1) - 1.0;
       let layer = mirrored_sky_layer(0.5 * turn * tilt.sigma + index * frame.pixel_angle);
-      let uv = 0.5 + MIRRORED_SCALE * lifted.xz / (1.0 + max(lifted.y, -0.9));
-      let sky_there = textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), layer), 0.0).rgb;
       // Rays that leave the water spread, so that the radiance inside is larger by the square of the index.
-      radiance += (1.0 - facet.reflectance) * index * index * sky_there;
+      radiance += (1.0 - facet.reflectance) * index * index * ceiling_sky(lifted, layer);
     }
     sum += weight * radiance;
     weights += weight;
@@ -114,17 +119,16 @@ struct CeilingMeniscus {
   // Direction in the water whose light the pixel shows, and the share of it.
   dir: vec3f,
   share: f32,
-  // What the pixel shows besides: light of the sky.
+  // Radiance of the sky that the meniscus adds to the pixel.
   sky: vec3f,
 }
 
-// Radiance of the sky in a direction, blurred as by a lens that is focused on what is far away.
+// Radiance of the sky in a direction through the meniscus, on which the lens is not focused.
 fn ceiling_blurred_sky(dir: vec3f) -> vec3f {
-  let uv = 0.5 + MIRRORED_SCALE * dir.xz / (1.0 + max(dir.y, -0.9));
-  return textureSampleLevel(mirrored_sky_map, sky_sampler, vec3f(saturate(uv), mirrored_sky_layer(0.05)), 0.0).rgb;
+  return ceiling_sky(dir, mirrored_sky_layer(0.05));
 }
 
-// The bending at a height above the waterline, m. The height of a surface that hangs on a wall and its slope angle t
+// How the meniscus bends the ray `dir` at a height above the waterline, m. The height of a surface that hangs on a wall and its slope angle t
 // obey height^2 = 2 capillary length^2 (1 - cos t).
 fn ceiling_meniscus(dir: vec3f, height_m: f32) -> CeilingMeniscus {
   let relative = height_m / CEILING_CAPILLARY_M;

@@ -72,10 +72,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let shear = waves.shear + breaker.derivatives.shear;
   var sun = 1.0;
   if WATER_SHADOWS {
-    let square = dot(at, at);
-    let eye_m = frame.eye_height_m;
-    let pixel_m = frame.pixel_angle * (square + eye_m * eye_m) / max(eye_m, 0.1);
-    sun = shadow_visible_sun(at, max(spacing, DISPLACE_SHADOW_WIDTH * pixel_m));
+    sun = shadow_visible_sun(at, max(spacing, DISPLACE_SHADOW_WIDTH * water_pixel_length_m(at)));
   }
   let shear_and_sun = vec2f(0.5 * (shear.x + shear.y), sun);
   mesh_vertices[vertex] = MeshVertex(

@@ -59,6 +59,7 @@ fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
   let front = FOAM_FULL_FRONT * filled * maths_smooth(rise);
   let rest = (1.0 - FOAM_FRONT_SHARES.x * filled) / (1.0 - FOAM_FRONT_SHARES.y * filled);
   let all = front + (1.0 - front) * (rest * old) + mean;
+  // Where the crest no longer breaks, the foam that its front has left is lace.
   let breaking = maths_smooth(cell.y);
   let fresh = (front * breaking + FOAM_FRONT_SHARES.x * mean) / max(all, 1e-4);
   let young = ((cell.x + mean) / max(plume, 1e-4) - FOAM_OLD_RATIO) * FOAM_INVERSE_RATIO_RANGE;

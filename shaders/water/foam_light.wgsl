@@ -34,8 +34,8 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
     let lit = water_tilt_projected_area(water_tilt_towards(l, slope));
     wrapped *= (max(lit.y, 0.0) + FOAM_SPREAD) / (max(lit.x, 0.0) + FOAM_SPREAD);
   }
-  // Hollows see less of the sky, and light is lost between their walls.
-  // Light is scattered into the deepest, too: the smooth limit keeps their shapes.
+  // Hollows see less of the sky, and light is lost between their walls. Scattered light reaches the deepest ones, too,
+  // so they are limited smoothly.
   let hollow = min(0.5 * (foam.grain + sqrt(foam.grain * foam.grain + 0.05)) - 0.02, 1.4);
   let soft = exp2(FOAM_HOLLOW_STOPS.y * (hollow - 0.5));
   let open = (0.55 + 0.45 * n.y) * soft;

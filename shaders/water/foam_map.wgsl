@@ -32,3 +32,6 @@ const FOAM_BILLOW_LAYER = 10u;
 // Reciprocals of the standard deviations of the noise of the first four layers: that of windrows is evenly spread, the
 // others are normal.
 const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
+// Part of the light of the water, or of the film of water on land, that the foam on it keeps near a shore: its wet
+// bubbles mirror the sky, too.
+const FOAM_SHORE_SHEEN = 0.35;

@@ -21,9 +21,6 @@ struct WaterFootprint {
 
 // Length of a footprint from which it is sampled twice, relative to what one sample covers.
 const WATER_HALVES_FROM = 1.3;
-// Texel size at which a sample is read, relative to the length it covers: 1 / sqrt(3), because interpolation between
-// the texels of a mip level (a box and a tent) blurs as much as a box of sqrt(3) texels.
-const WATER_TAP_TEXEL_RATIO = 0.58;
 
 // Footprint with the longer side `axis`, m, and the shorter one `across`, m, of which each sample covers `sample_m`
 // metres.

@@ -33,16 +33,16 @@ struct GBuffer {
   @location(2) shear_and_side: vec2f,
 }
 
-// The lowest bits of a half float that hold the hidden fraction of the sun's disc, as a mask and as the largest value. Three
-// bits of the number are left, so that it is rounded up by at most an eighth.
+// The lowest bits of a half float that hold the hidden fraction of the sun's disc, as a mask and as the largest value.
+// Three bits of the number are left, so that it is rounded up by at most an eighth.
 const MESH_SUN_BITS = 127u;
 // Mean ratio of a side to its rounded value.
 const MESH_SIDE_ROUNDING = 0.95;
 // Range of the sides that a G-buffer holds, m: above the smallest normal half float.
 const MESH_SIDES_M = vec2f(1.3e-4, 6e4);
 
-// The longer side of a pixel, m, rounded up to a half float whose lowest bits hold the hidden fraction of the sun's disc.
-// The side limits the derivatives of the position, so that one that is too large changes nothing within a wave.
+// The longer side of a pixel, m, rounded up to a half float whose lowest bits hold the hidden fraction of the sun's
+// disc. The side limits the derivatives of the position, so that one that is too large changes nothing within a wave.
 fn mesh_side_with_sun(side_m: f32, sun: f32) -> f32 {
   let bits = pack2x16float(vec2f(clamp(side_m, MESH_SIDES_M.x, MESH_SIDES_M.y), 0.0)) + MESH_SUN_BITS;
   return unpack2x16float((bits & ~MESH_SUN_BITS) | u32(f32(MESH_SUN_BITS) * (1.0 - sun) + 0.5)).x;
@@ -113,13 +113,12 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let point = WaterPoint(place, at, water_height_m(place));
   let gust = water_gust_gain(at, foot.length_m);
   var slope: WaterSlope;
-  if WATER_SHADOWS {
+  if WATER_SHADOWS && WATER_POINT_SAMPLES {
+    shadow_sun_fraction = shadow_visible_sun(at, foot.mean_m);
+  } else if WATER_SHADOWS {
     shadow_sun_fraction = side_and_sun.y;
   }
   if WATER_POINT_SAMPLES {
-    if WATER_SHADOWS {
-      shadow_sun_fraction = shadow_visible_sun(at, foot.mean_m);
-    }
     // Slopes interpolated between the vertices are linear there; a sample needs the slope at its point.
     let breaker = breaker_motion(at, point.height, textureLoad(slope_and_stretch_map, pixel, 0).xy);
     slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, gust);

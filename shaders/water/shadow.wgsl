@@ -17,9 +17,6 @@ const SHADOW_FARTHEST = 60.0;
 // Length of a pixel on the sea, in significant wave heights, at which shadows begin to fade into statistics.
 const SHADOW_FADE_START = 1.5;
 
-// Texel size at which heights are read, relative to the width that a height is the mean over (footprint.wgsl tells why).
-const SHADOW_TEXEL_RATIO = 0.58;
-
 // Copies of the patches that are visible at the start of a ray: texture coordinates there, and weight. They serve for
 // the whole ray, over which the weights change little, and so the heights keep their variance.
 alias ShadowCopies = array<vec3f, 12>;
@@ -103,7 +100,7 @@ fn shadow_visible_sun(at: vec2f, size_m: f32) -> f32 {
   let over_across = inverseSqrt(max(dot(l.xz, l.xz), 1e-6));
   let toward = l.xz * over_across;
   let rise = max(l.y * over_across, 1e-3);
-  let log_pixel_m = log2(max(SHADOW_TEXEL_RATIO * size_m, 1e-6));
+  let log_pixel_m = log2(max(WATER_TAP_TEXEL_RATIO * size_m, 1e-6));
   var copies = shadow_copies(at);
   let start = shadow_displacement(&copies, vec2f(0.0), log_pixel_m);
   let to_crest_m = max(SHADOW_HIGHEST_CREST * frame.hs_m - start.y, SHADOW_LEAST_RISE * frame.hs_m);

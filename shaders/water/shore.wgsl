@@ -40,8 +40,6 @@ const SHORE_CLIFF_SLOPES = 2.0;
 const SHORE_CLEAR_M = 0.35;
 // Depth of the water, m, from which waves keep their slopes: thinner water lies on the sand like the film beside it.
 const SHORE_THIN_M = 0.45;
-// Part of the light of the water that foam near a shore keeps: its wet bubbles mirror the sky, too.
-const SHORE_FOAM_SHEEN = 0.35;
 // Sunlight that comes from behind through the foam of a breaker's front, relative to that which falls on a plane
 // towards the sun, and stops of it between the thickest and the thinnest foam.
 const SHORE_FRONT_GLOW = 1.0;

@@ -18,6 +18,9 @@ fn water_add_patch_copy(sums: WaterDerivatives, g: vec4f, d: vec4f, weight: vec3
     sums.shear + weight.x * d.ww + weight.zy * d.xz);
 }
 
+// Texel size at which a sample is read, relative to the length it covers: 1 / sqrt(3), because interpolation between
+// the texels of a mip level (a box and a tent) blurs as much as a box of sqrt(3) texels.
+const WATER_TAP_TEXEL_RATIO = 0.58;
 // Weight of a copy of a patch up to which it is left out, because it is not seen.
 const WATER_LEAST_COPY_WEIGHT = 0.008;
 
@@ -27,13 +30,16 @@ const WATER_LEAST_COPY_WEIGHT = 0.008;
 const WATER_CARRIED_SPACINGS = vec2f(12.0, 7.0);
 const WATER_INVERSE_CARRIED_RANGE = 1.0 / (WATER_CARRIED_SPACINGS.x - WATER_CARRIED_SPACINGS.y);
 
+// Length of a pixel on the level sea, m, at a position relative to the point below the eye, m.
+fn water_pixel_length_m(at: vec2f) -> f32 {
+  let eye_m = frame.eye_height_m;
+  return frame.pixel_angle * (dot(at, at) + eye_m * eye_m) / max(eye_m, 0.1);
+}
+
 // Reciprocal of the length, 1/m, with which the waves must be compared at a position relative to the point below the
 // eye, m, to tell whether vertices carry their slopes: the mesh spacing, or two pixels if they are longer.
 fn water_inverse_carrying_step(at: vec2f) -> f32 {
-  let square = dot(at, at);
-  let eye_m = frame.eye_height_m;
-  let pixel_m = frame.pixel_angle * (square + eye_m * eye_m) / max(eye_m, 0.1);
-  return 1.0 / max(mesh_spacing(sqrt(square)), 2.0 * pixel_m);
+  return 1.0 / max(mesh_spacing(length(at)), 2.0 * water_pixel_length_m(at));
 }
 
 // Fraction of a cascade's slopes that the vertices carry, 0 to 1. Vertices carry the slopes of a cascade whose shortest

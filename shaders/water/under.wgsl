@@ -14,12 +14,13 @@ const UNDER_FAR_M = 2.0;
 const UNDER_RIM = 0.003;
 // Steps by halves in which the waterline below a pixel is found.
 const UNDER_LINE_STEPS = 6;
-// How much more of the bed a pixel shows through the climbing water.
+// Factor on the size of the bed that a pixel shows through the climbing water, which bends rays strongly, less 1.
 const UNDER_SQUEEZE = 150.0;
 // Whether a part of the lens may stand in the air: if not, there is no waterline to look for.
 override UNDER_SEES_AIR: bool = true;
 // Binary logarithm of the size of the surface, m, through which the water in the picture is lit.
 const UNDER_LOG_LIT_M = 5.0;
+
 // As mesh_fragment, but with a negative side where the pixel shows the water from below.
 @fragment
 fn under_mesh_fragment(in: MeshFragment, @builtin(front_facing) is_front: bool) -> GBuffer {

@@ -156,7 +156,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
       var white = foam_radiance(v, slope, look);
       if WATER_LAND {
         // Wet bubbles mirror the sky as the water between them does, and against a low sun are as warm.
-        white += SHORE_FOAM_SHEEN * (1.0 - 0.7 * foam.fresh) * surface;
+        white += FOAM_SHORE_SHEEN * (1.0 - 0.7 * foam.fresh) * surface;
         white += shore_front_glow(v, slope.mean, foam.fresh, look.grain);
       }
       surface = mix(surface, white, look.cover);

@@ -67,8 +67,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Spindrift",
-        description: "Beaufort 10 beside the sun's glitter: streaks of foam lie along the wind, which tears spray off the \
-                      crests.",
+        description: "Beaufort 10 beside the sun's glitter: streaks of foam lie along the wind, which tears spray off \
+                      the crests.",
         state: "v=2&wind=26&fetch=500&dir=250&sun=12&sunaz=232&haze=0.3&clouds=stratocumulus&cloudcover=0.45&glints=1\
                 &gusts=1&spray=1&exposure=-0.3&bloom=0.04&y=3&heading=210&pitch=0&fov=40&t=31",
     },

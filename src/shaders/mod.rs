@@ -218,7 +218,10 @@ const MODULES: &[(&str, &[SourcePart])] = &[
             part!("land/light.wgsl"),
         ],
     ),
-    ("drops/spray", &[PICTURE, SURFACE, part!("drops/drop.wgsl"), part!("drops/spray.wgsl")]),
+    (
+        "drops/spray",
+        &[PICTURE, SURFACE, part!("drops/drop.wgsl"), part!("drops/spray_light.wgsl"), part!("drops/spray.wgsl")],
+    ),
     ("drops/rain", &[PICTURE, SURFACE, part!("drops/drop.wgsl"), part!("drops/rain.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
     ("film/tone", &[SKY_COMMON, SCREEN, part!("film/curves.wgsl"), part!("film/tone.wgsl")]),

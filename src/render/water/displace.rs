@@ -16,9 +16,10 @@ gpu_struct! {
     pub struct MeshVertex as "MeshVertex" {
         /// Displaced position (x east, y up, z south) relative to the eye, m, lowered by the curvature of the Earth.
         position: [f32; 3],
-        /// Mean shear of the waves that are long compared with vertex spacing and pixels at this vertex, and the fraction
-        /// of the sun's disc that waves leave visible (1 if they cast no shadows), as two half floats. Like `slope` and
-        /// `stretch`, they are interpolated between vertices when the mesh is drawn (WGSL `WaterDerivatives`).
+        /// Mean shear of the waves that are long compared with vertex spacing and pixels at this vertex, and the
+        /// fraction of the sun's disc that waves leave visible (1 if they cast no shadows), as two half floats. Like
+        /// `slope` and `stretch`, they are interpolated between vertices when the mesh is drawn (WGSL
+        /// `WaterDerivatives`).
         shear_and_sun: u32,
         /// Undisplaced position (x, z) relative to the point below the eye, m.
         undisplaced: [f32; 2],
@@ -68,7 +69,8 @@ struct MeshBuffers {
 }
 
 impl DisplacePass {
-    /// Makes the pass; [`Self::select_pipeline`] compiles it. `maps` is the layout of the bind group with the wave maps.
+    /// Makes the pass; [`Self::select_pipeline`] compiles it. `maps` is the layout of the bind group with the wave
+    /// maps.
     pub fn new(gpu: &Gpu, shaders: &Shaders, frame: &Uniform<FrameUniform>, maps: &wgpu::BindGroupLayout) -> Self {
         let bindings = [
             BindingType::Uniform(size_of::<FrameUniform>()),
