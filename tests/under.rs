@@ -18,13 +18,13 @@ const INDEX: f64 = 1.333;
 
 /// Linear light of a picture of a sea without waves, ripples and roughness, row by row from the top.
 fn flat_light(gpu: &Gpu, state: &str, size: [u32; 2]) -> (Vec<[f32; 4]>, seastate::state::camera::View) {
-    flat_light_with(gpu, shaders(), state, size)
+    flat_light_with(gpu, &shaders(), state, size)
 }
 
 /// As [`flat_light`], with some shaders.
 fn flat_light_with(
     gpu: &Gpu,
-    shaders: Shaders,
+    shaders: &Shaders,
     state: &str,
     size: [u32; 2],
 ) -> (Vec<[f32; 4]>, seastate::state::camera::View) {
@@ -32,7 +32,7 @@ fn flat_light_with(
     let mut ocean = Ocean::without_renderer(gpu, &params);
     let mut scene = ocean.scene(size);
     scene.sea.unresolved_slope_variance = [0.0; 2];
-    let mut renderer = Renderer::new(gpu, &shaders, PICTURE_FORMAT, OutputKind::ReadBack);
+    let mut renderer = Renderer::new(gpu, shaders, PICTURE_FORMAT, OutputKind::ReadBack);
     let mut encoder = gpu.encoder("test");
     ocean.simulation().encode_with_f32_maps(gpu, &mut encoder, 0.0);
     renderer.draw(gpu, &mut encoder, ocean.maps(), &scene, size);
@@ -193,8 +193,7 @@ fn the_waterline_is_where_the_surface_cuts_the_lens() {
     let gpu = common::gpu();
     let dry = shaders().patched("water/under", "const CEILING_CLIMB_M = 0.0038;", "const CEILING_CLIMB_M = 1e-9;");
     for dive_m in [0.005, 0.01, 0.02] {
-        let (light, view) =
-            flat_light_with(&gpu, dry.clone(), &format!("dive={dive_m}&pitch=0&sun=50&heading=200"), SIZE);
+        let (light, view) = flat_light_with(&gpu, &dry, &format!("dive={dive_m}&pitch=0&sun=50&heading=200"), SIZE);
         assert!(light.iter().all(|p| p.iter().all(|c| c.is_finite()) && p[3] >= 0.99), "a hole at {dive_m} m");
         // The lens is 0.1 m before the eye.
         let line = 0.5 * f64::from(SIZE[1]) * (1.0 - dive_m / 0.1 / view.tan_half_fov[1]);
