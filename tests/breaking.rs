@@ -19,7 +19,7 @@ fn answer(question: Question) -> Answer {
   let foot = water_round_footprint(0.12);
   let waves = water_displacement(at, 0.12, false).displacement;
   let slope = water_slope(at, waves, foot);
-  let breaker = breaker_motion(at, waves.y, slope.mean * slope.jacobian);
+  let breaker = breaker_motion(at, waves.y, slope.mean * slope.jacobian, surf_motion(at));
   let leaning = water_slope_with_carried(at, waves + breaker.moved, foot, foot, breaker.derivatives, false, 1.0);
   return Answer(
     vec4f(waves, breaker_state(at).value.x),

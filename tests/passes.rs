@@ -104,7 +104,9 @@ fn a_fault_in_the_waves_at_a_coast_is_found() {
         ("coast/envelopes", "potential += phasor.z", "potential += 1.01 * phasor.z", "coast gradients"),
         ("coast/sum", "2.0 * z.x + known.x", "2.02 * z.x + known.x", "coast displacement"),
         ("coast/sum", "let turns = beyond", "let turns = 1.01 * beyond", "coast displacement"),
-        ("coast/sum", "vec2f(0.82, 0.57)", "vec2f(0.87, 0.49)", "coast rollers"),
+        ("coast/sum", "vec4f(z, 4.0", "vec4f(1.01 * z, 4.0", "coast phases"),
+        ("coast/sum", "4.0 * length(z) * known.y, known.z", "4.04 * length(z) * known.y, known.z", "coast breaking"),
+        ("coast/sum", "known.y, known.z", "known.y, 1.01 * known.z", "coast depth"),
         ("coast/gradients", "vec4f(1.0, -8.0, 8.0, -1.0)", "vec4f(1.0, -8.0, 8.08, -1.0)", "coast gradients"),
         ("coast/gradients", "vec4f(-1.0, 16.0, 16.0, -1.0)", "vec4f(-1.0, 16.16, 16.0, -1.0)", "coast gradients"),
     ] {

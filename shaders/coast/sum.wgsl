@@ -1,38 +1,21 @@
-// Sums the groups of waves at each texel of a coast's square: elevation, potential of the horizontal displacement, and the
-// rollers of breaking waves.
+// Sums the groups of waves at each texel of a coast's square: elevation, potential of the horizontal displacement, and what
+// the rollers and the shape of breaking waves follow from.
 
-@group(0) @binding(0) var<uniform> coast: Coast;
-@group(0) @binding(1) var<storage, read> groups: array<vec4u>; // z: bits of the carrier's turns per metre along y
-@group(0) @binding(2) var<storage, read> carriers: array<vec2u>; // [group][column]: turns in 2^-32, bits of those to the next
-@group(0) @binding(3) var envelopes: texture_2d_array<f32>; // elevation (xy) and potential (zw); layer: group
-@group(0) @binding(4) var points_map: texture_2d<f32>; // set-up, m, and reciprocal of the breaking height, 1/m
-@group(0) @binding(5) var clamping_sampler: sampler;
-@group(0) @binding(6) var<storage, read_write> fields: array<vec2f>; // [z][x]: elevation, m, and potential, m^2
-@group(0) @binding(7) var rollers: texture_storage_2d_array<rgba16float, write>;
-
-// Range of wave heights, relative to the breaking height, over which a roller grows.
-const COAST_BREAKING_RANGE = vec2f(0.9, 1.1);
-// Phase before the crest at which a roller is strongest, as (cos, sin): on the upper half of the front.
-const COAST_ROLLER_PHASE = vec2f(0.82, 0.57);
+@group(0) @binding(0) var<uniform> sea: Sea;
+@group(0) @binding(1) var<uniform> coast: Coast;
+@group(0) @binding(2) var<storage, read> groups: array<vec4u>; // z: bits of the carrier's turns per metre along y
+@group(0) @binding(3) var<storage, read> carriers: array<vec2u>; // [group][column]: turns in 2^-32, bits of those to the next
+@group(0) @binding(4) var envelopes: texture_2d_array<f32>; // elevation (xy) and potential (zw); layer: group
+@group(0) @binding(5) var points_map: texture_2d<f32>; // set-up, m, reciprocal of breaking height, 1/m, depth, m
+@group(0) @binding(6) var clamping_sampler: sampler;
+@group(0) @binding(7) var<storage, read_write> fields: array<vec2f>; // [z][x]: elevation, m, and potential, m^2
+@group(0) @binding(8) var maps: texture_storage_2d_array<rgba16float, write>;
 
 // The position of a texel in the frame of the coast, m.
 fn coast_place(texel: vec2u) -> vec2f {
   let steps = (texel - coast.corner_texel) & vec2u(coast.n - 1u);
   let p = coast.corner + vec2f(steps) * coast.texel_m;
   return vec2f(dot(p, coast.turn), dot(p, vec2f(-coast.turn.y, coast.turn.x)));
-}
-
-// Roller, 0 to 1, of waves whose sum is the real part of 2 z. The phase of z falls with time, so that it is positive where
-// the crest comes next.
-fn coast_roller(z: vec2f, inverse_breaking_height: f32) -> f32 {
-  let size = length(z);
-  let over = (4.0 * size * inverse_breaking_height - COAST_BREAKING_RANGE.x)
-    * (1.0 / (COAST_BREAKING_RANGE.y - COAST_BREAKING_RANGE.x));
-  let before_crest = 0.5 + 0.5 * dot(z, COAST_ROLLER_PHASE) / max(size, 1e-9);
-  // Half of the roller's strength is left 0.6 rad from its middle, which is a tenth of the wave's length.
-  var window = before_crest * before_crest;
-  window *= window;
-  return maths_smooth(over) * window * window;
 }
 
 @compute @workgroup_size(8, 8)
@@ -56,5 +39,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   }
   let known = textureSampleLevel(points_map, clamping_sampler, uv, 0.0);
   fields[id.y * coast.n + id.x] = vec2f(2.0 * z.x + known.x, 2.0 * potential);
-  textureStore(rollers, id.xy, 0u, vec4f(coast_roller(z, known.y), 0.0, 0.0, 0.0));
+  // The layer behind that of these waves: half of their complex amplitude, m (xy); their height, relative to that from
+  // which they break (z); and the depth, m (w). The phase of z falls with time, and is 0 on the crest.
+  let layer = sea.first_layer + sea.cascade_count + 2u;
+  textureStore(maps, id.xy, layer, vec4f(z, 4.0 * length(z) * known.y, known.z));
 }

@@ -16,9 +16,8 @@
 @group(0) @binding(4) var repeating_sampler: sampler;
 @group(0) @binding(5) var<storage, read_write> history: array<f32>; // [level][z][x][foam, front, plume]
 @group(0) @binding(6) var foam_out: texture_storage_2d_array<rgba16float, write>;
-// With a coast: factors of the layers over its square, and rollers of waves that break there.
+// With a coast: factors of the layers over its square.
 @group(0) @binding(7) var gains_map: texture_2d<f32>;
-@group(0) @binding(8) var rollers_map: texture_2d<f32>;
 
 // Whether the sea runs up to a coast.
 override FOAM_COAST: bool = false;
@@ -29,6 +28,21 @@ const FOAM_BEHIND_ROLLER = 0.65;
 
 // Largest stored excess over the breaking criterion.
 const FOAM_MOST_EXCESS = 6.0;
+
+// Range of wave heights, relative to that from which waves break, over which a roller grows.
+const FOAM_ROLLER_RANGE = vec2f(0.9, 1.1);
+// Phase before the crest at which a roller is strongest, as (cos, sin): in the middle of the front, which surf squeezes.
+const FOAM_ROLLER_PHASE = vec2f(0.5, 0.866);
+
+// Rolling foam, 0 to 1, of waves whose elevation is the real part of 2 z, and whose height is `over` relative to that from
+// which they break.
+fn foam_roller(z: vec2f, over: f32) -> f32 {
+  let before_crest = 0.5 + 0.5 * dot(z, FOAM_ROLLER_PHASE) / max(length(z), 1e-9);
+  // Half of the roller's strength is left 0.6 rad from its middle, which is a tenth of the wave's length.
+  var window = before_crest * before_crest;
+  window *= window;
+  return maths_rise(over, FOAM_ROLLER_RANGE) * window * window;
+}
 
 // Factors of ordinary cascades, offshore waves and waves at the coast (x, y, z) at an offset, m, from a level's corner.
 fn foam_coast_gains(level: u32, offset: vec2f) -> vec3f {
@@ -67,7 +81,8 @@ fn foam_waves(level: u32, offset: vec2f) -> FoamWaves {
     if FOAM_COAST {
       gain = gains[foam.cascades[c].role];
       if foam.cascades[c].role == 2u {
-        roller = gain * textureSampleLevel(rollers_map, repeating_sampler, uv, 0.0).x;
+        let surf = textureSampleLevel(displacement, repeating_sampler, uv, layer + 1u, 0.0);
+        roller = gain * foam_roller(surf.xy, surf.z);
       }
     }
     var next = tile_blend(corner.tile_position, offset, true);

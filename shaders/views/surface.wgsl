@@ -49,7 +49,7 @@ fn fragment(in: SurfaceFragment) -> @location(0) vec4f {
   let width = fwidth(edges);
   let tile = view.tiles[0];
   let point = WaterPoint(in.position, at, water_height_m(in.position));
-  let breaker = breaker_motion(at, point.height, in.slope);
+  let breaker = breaker_motion(at, point.height, in.slope, surf_motion(at));
   let slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, 1.0);
   switch view.view_kind {
     case 1u: {

@@ -1,6 +1,6 @@
 // Breaking crests. The top of a crest that breaks is pushed along the wind, with which it travels, so that its lee face
-// is steeper than its weather face, and the roller of foam on its front lies on the water as a layer. Waves that break
-// at a coast lean much farther: their map is too coarse for a steep front, and the waves in it are linear.
+// is steeper than its weather face, and the roller of foam on its front lies on the water as a layer. At a coast the wave
+// has its shape from surf.wgsl, and bears a thicker roller of billows.
 
 // Number of foam levels that move the water; on coarser ones, what they move is smaller than a pixel.
 const BREAKER_LEVELS = 2u;
@@ -11,13 +11,12 @@ const BREAKER_PUSH_PER_HEIGHT = 0.22;
 const BREAKER_HALF_EXCESS_SQUARE = 2.0;
 // Thickness of a roller, relative to the height of its crest above the mean.
 const BREAKER_ROLLER_PER_HEIGHT = 0.1;
-// Push, squared excess and thickness of a roller for waves at a coast. They lean before they foam, so that the wave
-// beside the foam is steep, too. The thickness is the first number between billows, and both together on their tops.
-const BREAKER_SURF_PUSH_PER_HEIGHT = 4.2;
-const BREAKER_SURF_HALF_EXCESS_SQUARE = 0.6;
+// Thickness of a roller at a coast: the first number between billows, and both together on their tops.
 const BREAKER_SURF_ROLLER = vec2f(0.18, 0.22);
-// Reciprocal of the coast's factor on short waves from which a crest leans in full. On the beach, where only a sheet of
-// water runs up, the factor is 0.
+// How far that roller also swells forward, relative to its thickness, because it lies on a steep front.
+const BREAKER_SURF_FORWARD = 0.75;
+// Reciprocal of the coast's factor on short waves from which waves are surf. On the beach, where only a sheet of water
+// runs up, the factor is 0.
 const BREAKER_SURF_RISE = 2.5;
 
 // State of the foam at a position, from the maps of foam/foam.wgsl, with its derivatives along x and z, 1/m.
@@ -64,7 +63,8 @@ const BREAKER_BILLOW_SPACINGS_M = vec2f(0.25, 0.7);
 const BREAKER_MEAN_BILLOWS = vec3f(0.44, 0.0, 0.0);
 
 // Height of the billows of a roller, 0 to 1 (x), and its derivatives along x and z, 1/m (yz): round heaps with creases
-// between. They stay where they are while the front runs over them, so that it churns.
+// between. They stay where they are while the front runs over them, so that it churns. `at` is relative to the point below
+// the eye, m.
 fn breaker_billows(at: vec2f) -> vec3f {
   let p = coast_place(at);
   let along = p.x * vec4f(0.8, -0.6, 0.98, 0.2) + p.y * vec4f(0.6, 0.8, -0.2, 0.98);
@@ -78,18 +78,22 @@ fn breaker_billows(at: vec2f) -> vec3f {
     dot(change, vec4f(0.8, -0.6, 0.98, 0.2)), dot(change, vec4f(0.6, 0.8, -0.2, 0.98)));
 }
 
-// How a breaking crest moves the water.
-struct BreakerMotion {
-  // Displacement along x, y and z, m.
-  moved: vec3f,
-  // Derivatives of it, those along x and z divided by the choppiness as those of the waves are.
-  derivatives: WaterDerivatives,
+// The billows at an undisplaced position that `surf` moves, where waves have the height `height_m` and the undisplaced
+// slope `slope`: height (x) and its derivatives along the undisplaced x and z (yz). They lie on the moved surface, unrolled
+// along the direction of the waves: where the front stands upright, they change with its height.
+fn breaker_billows_on(at: vec2f, surf: BreakerMotion, height_m: f32, slope: vec2f, direction: vec2f) -> vec3f {
+  let billows = breaker_billows(at + surf.moved.xz - height_m * direction);
+  let sides = 1.0 + frame.choppiness * surf.derivatives.stretch;
+  let shear = frame.choppiness * surf.derivatives.shear;
+  let along_x = vec2f(sides.x, shear.y) - slope.x * direction;
+  let along_z = vec2f(shear.x, sides.y) - slope.y * direction;
+  return vec3f(billows.x, dot(billows.yz, along_x), dot(billows.yz, along_z));
 }
 
 // Motion of the water at a position relative to the point below the eye, m, where waves have the height `height_m` and
-// the undisplaced slope `slope`.
-fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f) -> BreakerMotion {
-  var out: BreakerMotion;
+// the undisplaced slope `slope`. `surf` is surf_motion there: the height and the slope contain it, and the motion, too.
+fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -> BreakerMotion {
+  var out = surf;
   if height_m <= 0.0 {
     return out;
   }
@@ -98,33 +102,41 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f) -> BreakerMotion {
     return out;
   }
   // Where only a sheet of water runs up the beach, short waves have ended, and nothing leans or rolls.
-  var surf = 0.0;
+  var open_sea = 1.0;
   if WATER_COAST {
-    surf = maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
+    open_sea = 1.0 - maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
   }
-  let push = mix(BREAKER_PUSH_PER_HEIGHT, BREAKER_SURF_PUSH_PER_HEIGHT, surf);
-  let half_square = mix(BREAKER_HALF_EXCESS_SQUARE, BREAKER_SURF_HALF_EXCESS_SQUARE, surf);
+  let push = open_sea * BREAKER_PUSH_PER_HEIGHT;
   let excess_square = foam.value.x * foam.value.x;
-  let over = 1.0 / (excess_square + half_square);
+  let over = 1.0 / (excess_square + BREAKER_HALF_EXCESS_SQUARE);
   let share = push * excess_square * over;
-  let share_change = (2.0 * push * half_square) * foam.value.x * over * over;
-  let change = share * slope + (share_change * height_m) * vec2f(foam.along_x.x, foam.along_z.x);
+  let share_change = (2.0 * push * BREAKER_HALF_EXCESS_SQUARE) * foam.value.x * over * over;
+  var forward_change = share * slope + (share_change * height_m) * vec2f(foam.along_x.x, foam.along_z.x);
+  var forward_m = share * height_m;
   let direction = unpack2x16snorm(frame.breaker_direction);
-  let along = direction / max(frame.choppiness, vec2f(0.05));
-  out.derivatives.stretch = along * change;
-  out.derivatives.shear = along * change.yx;
   // The roller's thickness is proportional to the square of the front, so that its edge rises without a kink.
-  var roller = BREAKER_ROLLER_PER_HEIGHT;
-  var change_of_roller = vec2f(0.0);
-  if surf * foam.value.y > 0.0 {
-    let shown = 1.0 - maths_rise(mesh_spacing(length(at)), BREAKER_BILLOW_SPACINGS_M);
-    let billows = mix(BREAKER_MEAN_BILLOWS, breaker_billows(at), shown);
-    roller = mix(roller, BREAKER_SURF_ROLLER.x + BREAKER_SURF_ROLLER.y * billows.x, surf);
-    change_of_roller = surf * BREAKER_SURF_ROLLER.y * billows.yz;
-  }
   let square = foam.value.y * foam.value.y;
-  let front_change = (2.0 * foam.value.y) * vec2f(foam.along_x.y, foam.along_z.y);
-  out.derivatives.slope = square * (roller * slope + height_m * change_of_roller) + (roller * height_m) * front_change;
-  out.moved = vec3f(share * height_m * direction.x, roller * square * height_m, share * height_m * direction.y);
+  var roller = BREAKER_ROLLER_PER_HEIGHT;
+  var roller_change = (2.0 * foam.value.y) * vec2f(foam.along_x.y, foam.along_z.y);
+  if WATER_COAST {
+    let share_of_surf = 1.0 - open_sea;
+    var billows = BREAKER_MEAN_BILLOWS;
+    if share_of_surf * foam.value.y > 0.0 {
+      let shown = 1.0 - maths_rise(mesh_spacing(length(at)), BREAKER_BILLOW_SPACINGS_M);
+      billows = mix(billows, breaker_billows_on(at, surf, height_m, slope, direction), shown);
+    }
+    roller = mix(roller, BREAKER_SURF_ROLLER.x + BREAKER_SURF_ROLLER.y * billows.x, share_of_surf);
+    roller_change = roller * roller_change + (square * share_of_surf * BREAKER_SURF_ROLLER.y) * billows.yz;
+    let swells = BREAKER_SURF_FORWARD * share_of_surf;
+    forward_m += swells * roller * square * height_m;
+    forward_change += swells * (roller * square * slope + height_m * roller_change);
+  } else {
+    roller_change *= roller;
+  }
+  let along = direction / max(frame.choppiness, vec2f(0.05));
+  out.derivatives.stretch += along * forward_change;
+  out.derivatives.shear += along * forward_change.yx;
+  out.derivatives.slope += roller * square * slope + height_m * roller_change;
+  out.moved += vec3f(forward_m * direction.x, roller * square * height_m, forward_m * direction.y);
   return out;
 }

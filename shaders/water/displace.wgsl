@@ -58,7 +58,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let at = foot + radius * vec2f(sin(azimuth), -cos(azimuth));
   let spacing = mesh_spacing(radius);
   let water = water_displacement(at, spacing, true);
-  let breaker = breaker_motion(at, water.displacement.y, water.carried.slope);
+  let surf = surf_motion(at);
+  let breaker = breaker_motion(
+    at, water.displacement.y + surf.moved.y, water.carried.slope + surf.derivatives.slope, surf);
   var moved = water.displacement + breaker.moved;
   if WATER_COAST {
     moved.y += displace_lobes_m(at, spacing);

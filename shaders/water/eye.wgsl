@@ -48,7 +48,8 @@ fn main(@builtin(local_invocation_index) i: u32) {
       place += select(vec2f(0.0, EYE_BESIDE_M), vec2f(EYE_BESIDE_M, 0.0), look == EYE_FIRST_THREAD_SAMPLES);
     }
     let waves = water_displacement(place, width, false).displacement;
-    let there = waves + breaker_motion(place, waves.y, vec2f(0.0)).moved;
+    let surf = surf_motion(place);
+    let there = waves + breaker_motion(place, waves.y + surf.moved.y, vec2f(0.0), surf).moved;
     if look == 0 {
       moved = there;
     } else if look < EYE_FIRST_THREAD_SAMPLES {

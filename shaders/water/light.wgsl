@@ -120,7 +120,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   if WATER_POINT_SAMPLES {
     // Slopes interpolated between the vertices are linear there; a sample needs the slope at its point.
-    let breaker = breaker_motion(at, point.height, textureLoad(slope_and_stretch_map, pixel, 0).xy);
+    let mesh_slope = textureLoad(slope_and_stretch_map, pixel, 0).xy;
+    let breaker = breaker_motion(at, point.height, mesh_slope, surf_motion(at));
     slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, gust);
   } else {
     let mesh = textureLoad(slope_and_stretch_map, pixel, 0);

@@ -46,6 +46,8 @@ const SHORE_FRONT_GLOW = 1.0;
 const SHORE_FRONT_GLOW_STOPS = 2.6;
 // Share of the irradiance by the whole sky that the sky around the sun sends there.
 const SHORE_FRONT_SKY = 0.8;
+// Part of the relief that fronts near a coast lose.
+const SHORE_FRONT_SOFTNESS = 0.85;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 
@@ -104,6 +106,24 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> Foam
   let old = foam.cover / max(all, 1e-4);
   let plume = max(foam.plume, SHORE_PLUME * cover);
   return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
+}
+
+// Where the pattern of foam is read for a point near a coast, relative to the point below the eye, m. Surf squeezes the
+// undisplaced positions on its front, so the pattern lies on the displaced surface, unrolled along the direction of the
+// waves: where the front stands upright, it changes with its height.
+fn shore_foam_place(point: WaterPoint) -> vec2f {
+  let onshore = unpack2x16snorm(frame.breaker_direction);
+  return mix(point.undisplaced, point.position.xz - point.height * onshore, coast_at(point.undisplaced).z);
+}
+
+// The look of foam near a coast, of which the part `fresh` belongs to fronts, with less relief where the surface is
+// squeezed or folded and in fronts, because the mesh has the billows of these (breaker.wgsl).
+fn shore_soft_relief(look: FoamAppearance, fresh: f32, jacobian: f32) -> FoamAppearance {
+  let left = saturate(1.5 * jacobian - 0.3) * (1.0 - SHORE_FRONT_SOFTNESS * fresh);
+  var out = look;
+  out.relief *= left;
+  out.lit = mix(1.0, look.lit, left);
+  return out;
 }
 
 // Radiance of the sunlight that comes towards `v` through the front of a breaker with the slope `slope`: `fresh` is the

@@ -172,7 +172,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
     place = lit_position(in.ray, pixel);
     let point = WaterPoint(place, at, water_height_m(place));
     let gust = water_gust_gain(at, foot.length_m);
-    let breaker = breaker_motion(at, point.height, vec2f(0.0));
+    let breaker = breaker_motion(at, point.height, vec2f(0.0), surf_motion(at));
     slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, gust);
   }
   let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shows_ceiling);

@@ -148,10 +148,16 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
   if WATER_FOAM && foam.cover >= FOAM_MIN_AMOUNT {
     var foam_at = point.undisplaced;
+    if WATER_COAST {
+      foam_at = shore_foam_place(point);
+    }
     if WATER_HULLS {
       foam_at -= wake.drift_m;
     }
-    let look = foam_appearance(foam_at, foot, foam);
+    var look = foam_appearance(foam_at, foot, foam);
+    if WATER_COAST {
+      look = shore_soft_relief(look, foam.fresh, slope.jacobian);
+    }
     if look.cover > FOAM_MIN_AMOUNT {
       var white = foam_radiance(v, slope, look);
       if WATER_LAND {

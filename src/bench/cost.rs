@@ -88,7 +88,7 @@ pub struct CoastSizes {
 /// Cost of the passes for the waves at a coast, with FFT size `n`. Per wave and point: an envelope of two half floats and
 /// 17 operations. Per group and point: a texel written and read. Per group and texel of the map: a filtered sample and 62
 /// operations, of which 39 are for the carrier's cosine and sine. Per texel: elevation and potential written and read (16
-/// bytes; neighbours come from a cache), a texel of rollers and two of maps written, and 260 operations. Besides,
+/// bytes; neighbours come from a cache), three texels of maps written, and 240 operations. Besides,
 /// the row and the column pass run for one more cascade, and the mip pass for two.
 pub fn coast_pass_cost(n: u32, sizes: CoastSizes, maps: MapFormat) -> Cost {
     let CoastSizes { waves, points, groups } = sizes;
@@ -96,7 +96,7 @@ pub fn coast_pass_cost(n: u32, sizes: CoastSizes, maps: MapFormat) -> Cost {
     let [waves, points, groups] = [waves, points, groups].map(f64::from);
     let sums =
         Cost { bytes: waves * points * 4.0 + groups * points * 2.0 * texel, flops: waves * points * 17.0, reads: 0.0 };
-    let maps_cost = Cost { bytes: 16.0 + 3.0 * texel, flops: groups * 62.0 + 260.0, reads: groups + 1.0 };
+    let maps_cost = Cost { bytes: 16.0 + 3.0 * texel, flops: groups * 62.0 + 240.0, reads: groups + 1.0 };
     sums + cost_of_texels(n, 1, maps_cost) + row_and_column_pass_cost(n, 1, maps) + mip_pass_cost(n, 2, maps)
 }
 

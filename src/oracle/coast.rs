@@ -24,6 +24,8 @@ pub struct CoastPoint {
     pub potential_m2: f64,
     /// Reciprocal of the height from which waves break, 1/m.
     pub inverse_breaking_height: f64,
+    /// Depth, m.
+    pub depth_m: f64,
 }
 
 impl<'a> CoastWaves<'a> {
@@ -66,6 +68,7 @@ impl<'a> CoastWaves<'a> {
             let point = &t.points[place];
             out.elevation_m += share * f64::from(point.set_up_m);
             out.inverse_breaking_height += share / f64::from(point.breaking_height_m);
+            out.depth_m += share * f64::from(point.depth_m);
         }
         out.elevation_m += 2.0 * out.half_amplitude_m[0];
         out.potential_m2 = 2.0 * potential[0];
@@ -86,11 +89,16 @@ fn half_float(bits: u16) -> f64 {
 /// Rolling foam, 0 to 1, where waves with the sum Z break: it lies on their fronts, which the crest reaches next.
 pub fn roller(point: &CoastPoint) -> f64 {
     let [re, im] = point.half_amplitude_m;
-    let height_m = 4.0 * re.hypot(im);
-    let over = ((height_m * point.inverse_breaking_height - 0.9) / 0.2).clamp(0.0, 1.0);
-    // The phase falls with time, and is 0 at the crest. The roller is strongest 0.6 rad before it.
-    let before = im.atan2(re) - 0.57_f64.atan2(0.82);
+    let over = ((height_over_breaking(point) - 0.9) / 0.2).clamp(0.0, 1.0);
+    // The phase falls with time, and is 0 at the crest. The roller is strongest a sixth of a turn before it.
+    let before = im.atan2(re) - 0.866_f64.atan2(0.5);
     over * over * (3.0 - 2.0 * over) * (0.5 + 0.5 * before.cos()).powi(8)
+}
+
+/// Height of the waves with the sum Z, relative to that from which they break.
+pub fn height_over_breaking(point: &CoastPoint) -> f64 {
+    let [re, im] = point.half_amplitude_m;
+    4.0 * re.hypot(im) * point.inverse_breaking_height
 }
 
 /// Displacement and gradient maps of n x n texels from the sums at these texels, `texel_m` apart (m). Rows run along the
@@ -125,6 +133,7 @@ pub fn maps(points: &[CoastPoint], texel_m: f64) -> CascadeMapPair {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::{FRAC_PI_3, PI};
 
     #[test]
     fn half_floats_have_their_values() {
@@ -148,10 +157,10 @@ mod tests {
             inverse_breaking_height: 0.5,
             ..CoastPoint::default()
         };
-        assert_eq!(roller(&point(0.6, 1.7)), 0.0);
-        assert!(roller(&point(0.6, 2.3)) > 0.99 && roller(&point(0.6 + std::f64::consts::PI, 2.3)) < 1e-3);
-        assert!((roller(&point(0.6, 2.0)) - 0.5).abs() < 1e-3);
-        assert!(roller(&point(1.0, 2.3)) > roller(&point(0.0, 2.3)));
+        assert_eq!(roller(&point(FRAC_PI_3, 1.7)), 0.0);
+        assert!(roller(&point(FRAC_PI_3, 2.3)) > 0.99 && roller(&point(FRAC_PI_3 + PI, 2.3)) < 1e-3);
+        assert!((roller(&point(FRAC_PI_3, 2.0)) - 0.5).abs() < 1e-3);
+        assert!(roller(&point(1.4, 2.3)) > roller(&point(0.4, 2.3)));
     }
 
     #[test]

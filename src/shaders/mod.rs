@@ -82,6 +82,7 @@ const SURFACE: SourcePart = SourcePart::Group(&[
     part!("water/spline.wgsl"),
     part!("water/coast.wgsl"),
     part!("water/surface.wgsl"),
+    part!("water/surf.wgsl"),
     part!("water/breaker.wgsl"),
 ]);
 /// WGSL for passes that find the displaced water surface but do not shade it.

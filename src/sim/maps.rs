@@ -14,7 +14,9 @@ use std::f64::consts::TAU;
 pub const MAX_CASCADES: usize = 4;
 /// Number of layers that a coast adds to the maps of a sea: the coastal waves of the open sea, and those at the coast.
 pub const COAST_LAYERS: usize = 2;
-/// Largest number of layers of each kind of map of one sea.
+/// Number of layers behind those, for what shapes the breakers at a coast. Only mip level 0 of the displacement is written.
+pub const BREAKER_LAYERS: usize = 1;
+/// Largest number of layers of each kind of map of one sea that hold waves.
 pub const MAX_SEA_LAYERS: usize = MAX_CASCADES + COAST_LAYERS;
 /// Largest number of cascades that are drawn at once: those of the old and of the new sea of a cross-fade.
 pub const MAX_DRAWN_CASCADES: usize = 2 * MAX_SEA_LAYERS;
@@ -105,8 +107,6 @@ pub struct MapCoast {
     /// Factors of the layers at each point of `square`, which does not repeat: of ordinary cascades, of offshore waves, and
     /// of waves at the coast (x, y, z), each 0 to 1; and the depth, m (w). Outside the square those of its edge hold.
     pub gains: wgpu::TextureView,
-    /// Rolling foam on the fronts of breaking waves (x), 0 to 1, on the texels of the layer with the role `Coast`.
-    pub rollers: wgpu::TextureView,
     /// Square of the world that encloses the coast.
     pub square: CoastSquare,
 }
@@ -265,11 +265,8 @@ impl Maps {
 
     /// Draws the current sea alone, with or without the layers of a coast, after a coast has come or gone.
     pub(super) fn set_coast(&mut self, plan: &Plan, resources: &Resources) {
-        self.coast = resources.coast.as_ref().map(|coast| MapCoast {
-            gains: coast.gains.clone(),
-            rollers: coast.rollers_view(),
-            square: coast.square,
-        });
+        self.coast =
+            resources.coast.as_ref().map(|coast| MapCoast { gains: coast.gains.clone(), square: coast.square });
         self.fading_cascade_count = 0;
         self.cascades = MapCascade::all_of_plan(plan, resources, self.coast.is_some());
         self.recreate_views(resources);

@@ -1,7 +1,6 @@
 //! Compute passes of the simulation, in the order of a frame. A pass has a pipeline, bind groups and a dispatch size.
 
 use super::coast::passes::CoastPasses;
-use super::coast::resources::CoastResources;
 use super::planned_sea::SeaDispatch;
 use super::resources::{MapKind, Resources, WaveBuffers, array_view, create_array_texture};
 use super::transform::{FftImplementation, Transform};
@@ -229,7 +228,6 @@ impl FoamPass {
             BindingType::StorageReadWrite(0),
             BindingType::StorageTextureArray(r.format.texture_format()),
             BindingType::Texture,
-            BindingType::Texture,
         ];
         let constants = [("FOAM_COAST", f64::from(u8::from(r.coast.is_some())))];
         let kernel = Kernel::new(gpu, "sea/foam", (&module, "main"), &bindings, &constants);
@@ -238,7 +236,6 @@ impl FoamPass {
     }
 
     fn create_bind_group(gpu: &Gpu, kernel: &Kernel, r: &Resources, uniforms: &SimulationUniforms) -> wgpu::BindGroup {
-        let rollers = r.coast.as_ref().map_or_else(|| r.placeholder.clone(), CoastResources::rollers_view);
         let gains = r.coast.as_ref().map_or(&r.placeholder, |coast| &coast.gains);
         kernel.bind(
             gpu,
@@ -251,7 +248,6 @@ impl FoamPass {
                 r.foam_history.as_entire_binding(),
                 wgpu::BindingResource::TextureView(&array_view(&r.foam, Some(0))),
                 wgpu::BindingResource::TextureView(gains),
-                wgpu::BindingResource::TextureView(&rollers),
             ],
         )
     }

@@ -2,7 +2,7 @@
 //! to hold two seas at the first cross-fade, and the waves at a coast.
 
 use super::coast::resources::CoastResources;
-use super::maps::{COAST_LAYERS, MAX_CASCADES, MAX_SEA_LAYERS};
+use super::maps::{BREAKER_LAYERS, COAST_LAYERS, MAX_CASCADES, MAX_SEA_LAYERS};
 use crate::coast::Transfer;
 use crate::gpu::Gpu;
 use crate::gpu::map_format::MapFormat;
@@ -170,14 +170,14 @@ impl Resources {
 
     /// Largest number of layers of a kind of map that a sea has: with a coast, it adds its own.
     fn most_layers_per_sea(&self) -> usize {
-        if self.coast.is_some() { MAX_SEA_LAYERS } else { MAX_CASCADES }
+        if self.coast.is_some() { MAX_SEA_LAYERS + BREAKER_LAYERS } else { MAX_CASCADES }
     }
 
     /// Allocates what a coast with the given transfer functions needs and fills it, or with None frees that. The maps are
     /// new textures without contents. All bind groups must be renewed.
     pub fn set_coast(&mut self, gpu: &Gpu, plan: &Plan, transfer: Option<Arc<Transfer>>) {
         self.coast = transfer.map(|transfer| CoastResources::new(gpu, transfer, self.n, self.format));
-        let added = if self.coast.is_some() { COAST_LAYERS } else { 0 };
+        let added = if self.coast.is_some() { COAST_LAYERS + BREAKER_LAYERS } else { 0 };
         let layers =
             if self.wave_buffers.len() == 1 { plan.cascades.len() + added } else { 2 * self.most_layers_per_sea() };
         if self.layers_of_kind(MapKind::Displacement).end != layers as u32 {

@@ -4,7 +4,7 @@ use super::{Comparison, MIN_RMS_DIVISOR, comparison, read_map, rms_difference, r
 use crate::coast::complex::Complex as Amplitude;
 use crate::coast::incident::Placement;
 use crate::coast::transfer::{LatticeKey, SeaAtPoint, Transfer, TransferWave, WaveGroup, sharpen};
-use crate::gpu::{Gpu, readback};
+use crate::gpu::Gpu;
 use crate::oracle::coast::{CoastPoint, CoastWaves};
 use crate::oracle::{self, Complex, Texel};
 use crate::sim::Simulation;
@@ -15,6 +15,7 @@ use crate::waves::statistics::lattice_indices;
 use half::f16;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Largest accepted rms error of the maps of waves at a coast, divided by the rms of the oracle's. Besides the maps, the
@@ -22,8 +23,6 @@ use std::sync::Arc;
 const COAST_MAP_TOLERANCE: f64 = 2e-3;
 /// Largest accepted rms error of their derivatives, which are differences of such values.
 const COAST_GRADIENT_TOLERANCE: f64 = 2.5e-3;
-/// Largest accepted rms error of the rollers, divided by their rms.
-const ROLLER_TOLERANCE: f64 = 1e-2;
 
 /// A coast of which the waves are known: over a slope along x, they become shorter and higher by the same factors.
 #[derive(Clone, Copy, Debug)]
@@ -145,7 +144,7 @@ impl SyntheticCoast {
     }
 }
 
-/// Compares the maps of the waves at a synthetic coast, and their rollers, with the oracle, for the sea that `sim` has.
+/// Compares the maps of the waves at a synthetic coast, and what its surf follows from, with the oracle, for the sea that `sim` has.
 /// `h0` are the oracle's amplitudes of the first cascade.
 ///
 /// # Errors
@@ -212,19 +211,15 @@ pub async fn compare(
         let rms = root_mean_square(want.iter().copied()).max(MIN_RMS_DIVISOR);
         lines.push(comparison(what, 0, rms_difference(got.into_iter(), want.into_iter()) / rms, tolerance));
     }
-    let Some(coast) = &sim.resources.coast else { return Ok(lines) };
-    let mut encoder = gpu.encoder("check");
-    let copy = readback::stage_texture(gpu, &mut encoder, &coast.rollers, 0);
-    gpu.submit(encoder);
-    let rollers = copy.read_map(gpu).await?;
-    let got: Vec<[f64; 1]> = inside.iter().map(|i| [f64::from(rollers[*i][0])]).collect();
-    let want: Vec<[f64; 1]> = inside.iter().map(|i| [oracle::coast::roller(&sums[*i])]).collect();
-    let rms = root_mean_square(want.iter().copied()).max(MIN_RMS_DIVISOR);
-    lines.push(comparison(
-        "coast rollers",
-        0,
-        rms_difference(got.into_iter(), want.into_iter()) / rms,
-        ROLLER_TOLERANCE,
-    ));
+    let breakers = &read_map(gpu, &sim.resources, MapKind::Displacement, 0).await?[(layer + 1) * places.len()..];
+    let mut compare = |what, channels: Range<usize>, want: &dyn Fn(&CoastPoint) -> [f64; 2]| {
+        let got = inside.iter().map(|i| [channels.start, channels.end - 1].map(|channel| breakers[*i][channel]));
+        let want: Vec<[f64; 2]> = inside.iter().map(|i| want(&sums[*i])).collect();
+        let rms = root_mean_square(want.iter().copied()).max(MIN_RMS_DIVISOR);
+        lines.push(comparison(what, 0, rms_difference(got, want.into_iter()) / rms, COAST_MAP_TOLERANCE));
+    };
+    compare("coast phases", 0..2, &|point| point.half_amplitude_m);
+    compare("coast breaking", 2..3, &|point| [oracle::coast::height_over_breaking(point); 2]);
+    compare("coast depth", 3..4, &|point| [point.depth_m; 2]);
     Ok(lines)
 }

@@ -47,7 +47,7 @@ impl CoastPasses {
         let split = kernel("coast/split", "coast/split", &[own, read, read, write, write]);
         let phasors = kernel("coast/phasors", "coast/phasors", &[sea, own, read, read, read, write]);
         let envelopes = kernel("coast/envelopes", "coast/envelopes", &[own, read, read, read, map]);
-        let sum = kernel("coast/sum", "coast/sum", &[own, read, read, array, texture, sampler, write, map]);
+        let sum = kernel("coast/sum", "coast/sum", &[sea, own, read, read, array, texture, sampler, write, map]);
         let gradients = kernel("coast/gradients", "coast/gradients", &[sea, own, read, map]);
         let groups = CoastBindGroups::new(gpu, [&split, &phasors, &envelopes, &sum, &gradients], (r, coast), uniforms);
         Some(Self { split, phasors, envelopes, sum, gradients, groups })
@@ -85,7 +85,7 @@ impl CoastPasses {
         let texels = [r.n / 8, r.n / 8, 1];
         run(&self.phasors, &self.groups.phasors[dispatch.wave_buffers_index], &sea, [waves, 1, 1]);
         run(&self.envelopes, &self.groups.envelopes, &[], [points, 1, transfer.groups.len() as u32]);
-        run(&self.sum, &self.groups.sum, &[], texels);
+        run(&self.sum, &self.groups.sum, &sea, texels);
         run(&self.gradients, &self.groups.gradients, &sea, texels);
     }
 }
@@ -102,8 +102,7 @@ impl CoastBindGroups {
         let [waves, transfer, groups, carriers, amplitudes, fields] =
             [&coast.waves, &coast.transfer_envelopes, &coast.groups, &coast.carriers, &coast.phasors, &coast.fields]
                 .map(wgpu::Buffer::as_entire_binding);
-        let [sums, rollers, maps] =
-            [&coast.envelopes, &coast.rollers, &r.maps].map(|texture| array_view(texture, Some(0)));
+        let [sums, maps] = [&coast.envelopes, &r.maps].map(|texture| array_view(texture, Some(0)));
         let of_split = |of: &WaveBuffers| {
             let SplitAmplitudes { others, offshore } = of.split.as_ref()?;
             let [h0, others, offshore] = [&of.h0, others, offshore].map(wgpu::Buffer::as_entire_binding);
@@ -121,6 +120,7 @@ impl CoastBindGroups {
             sum: sum.bind(
                 gpu,
                 &[
+                    sea.clone(),
                     own.clone(),
                     groups.clone(),
                     carriers,
@@ -128,7 +128,7 @@ impl CoastBindGroups {
                     TextureView(&coast.points),
                     Sampler(&coast.sampler),
                     fields.clone(),
-                    TextureView(&rollers),
+                    TextureView(&maps),
                 ],
             ),
             gradients: gradients.bind(gpu, &[sea, own.clone(), fields, TextureView(&maps)]),

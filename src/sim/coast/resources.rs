@@ -39,8 +39,6 @@ pub struct CoastResources {
     pub points: wgpu::TextureView,
     /// Elevation, m, and potential of the horizontal displacement, m^2, at each texel of the square.
     pub fields: wgpu::Buffer,
-    /// Rolling foam at each texel of the square (x), 0 to 1.
-    pub rollers: wgpu::Texture,
     /// Gains of the layers over the square; see `MapCoast::gains`.
     pub gains: wgpu::TextureView,
     /// Sampler with linear filtering that clamps to the edges.
@@ -85,18 +83,9 @@ impl CoastResources {
             envelopes: written("coast/envelopes", [size[0], size[1], groups]),
             points: known("coast/points", size, &tables::point_texels(&transfer)),
             fields: gpu.storage_buffer("coast/fields", 8 * texels),
-            rollers: written("coast/rollers", [n, n, 1]),
             gains: known("coast/gains", [tables::GAINS_MAP_SIDE; 2], &tables::gain_texels(&transfer, &square)),
             sampler: gpu.sampler("coast", [wgpu::AddressMode::ClampToEdge; 2], wgpu::MipmapFilterMode::Nearest),
             transfer,
         }
-    }
-
-    /// View of the rollers as a texture without layers.
-    pub fn rollers_view(&self) -> wgpu::TextureView {
-        self.rollers.create_view(&wgpu::TextureViewDescriptor {
-            dimension: Some(wgpu::TextureViewDimension::D2),
-            ..Default::default()
-        })
     }
 }

@@ -68,12 +68,13 @@ pub fn carriers(transfer: &Transfer) -> Vec<[u32; 2]> {
     out
 }
 
-/// Texels (row by row) of the map in the coast's frame: set-up, m, and the reciprocal of the breaking height, 1/m.
+/// Texels (row by row) of the map in the coast's frame: set-up, m, the reciprocal of the breaking height, 1/m, and the
+/// depth, m.
 pub fn point_texels(transfer: &Transfer) -> Vec<[f16; 4]> {
     let texel = |point: &SeaAtPoint| {
         let reciprocal = if point.breaking_height_m > 0.0 { 1.0 / point.breaking_height_m } else { 0.0 };
         // Heights below a millimetre only occur at the waterline.
-        [point.set_up_m, reciprocal.min(1000.0), 0.0, 0.0].map(f16::from_f32)
+        [point.set_up_m, reciprocal.min(1000.0), point.depth_m, 0.0].map(f16::from_f32)
     };
     transfer.points.iter().map(texel).collect()
 }

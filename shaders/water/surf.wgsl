@@ -1,0 +1,124 @@
+// Waves that come ashore, as the picture shows them. The map of the waves at a coast holds linear waves on texels of
+// metres. In shallow water waves have narrow, high crests between long, flat troughs, then a steep front, and the top of a
+// front that breaks falls over. This shape follows from the phase of the wave, its height and the depth, which the layer
+// behind that of the map holds (shaders/coast/sum.wgsl), by the skewness and asymmetry of measured waves.
+
+// Least Ursell number of a wave that is no sine.
+const SURF_LEAST_URSELL = 0.02;
+// Ursell number from which half of the squeeze of the front is there, the power with which it grows, and all of it.
+const SURF_SQUEEZED = vec3f(1.3, 1.3, 1.75);
+// Ursell number at which crests are narrowest, the power with which they become so, and by how much the exponent of their
+// shape then exceeds that of a sine, 1.
+const SURF_PEAKED = vec3f(0.6, 1.2, 0.3);
+// Heights of waves, relative to that from which they break, between which the front becomes upright, and the top falls.
+const SURF_UPRIGHT = vec2f(0.75, 1.05);
+const SURF_FALLING = vec2f(0.85, 1.1);
+// Squeeze of a front that stands upright; what the top that falls over adds to it, relative to the wave's height times its
+// wave number; and by how much its crest is narrower.
+const SURF_UPRIGHT_SQUEEZE = 1.71;
+const SURF_OVERHANG = 0.6;
+const SURF_UPRIGHT_PEAK = 0.6;
+// Phase before the crest, rad, of the middle of the steep front.
+const SURF_FRONT_PHASE = 0.75;
+// Least depth, m, from which the Ursell number is computed.
+const SURF_LEAST_DEPTH_M = 0.3;
+// Least wave number, rad/m, times the root of the depth, m: that of long waves of 16 s. Where waves from opposite directions
+// meet, as before a wall, the phase of their sum changes more slowly, and less of this shape is left.
+const SURF_LEAST_WAVE_NUMBER = 0.125;
+// Coefficients of the sines of once to four times the phase in the motion that squeezes the front: the integral of the
+// fourth power of (1 + cos) / 2, without its mean.
+const SURF_SINES = vec4f(0.4375, 0.109375, 0.0208333, 0.001953);
+// Step of the phase, rad, over which the shape is differentiated.
+const SURF_PHASE_STEP = 0.03;
+
+// How breaking waves move the water.
+struct BreakerMotion {
+  // Displacement along x, y and z, m.
+  moved: vec3f,
+  // Derivatives of it, those along x and z divided by the choppiness as those of the waves are.
+  derivatives: WaterDerivatives,
+}
+
+// How far a wave with an Ursell number is from a sine: squeeze of its front (x), and exponent of the shape of its crest (y).
+// Its height is `over` relative to that from which it breaks, and `steepness` times the reciprocal of the wave number.
+fn surf_form(ursell: f32, over: f32, steepness: f32) -> vec2f {
+  let squeezed = pow(ursell / SURF_SQUEEZED.x, SURF_SQUEEZED.y);
+  let peaked = pow(ursell / SURF_PEAKED.x, SURF_PEAKED.y);
+  let squeeze = SURF_SQUEEZED.z * squeezed / (1.0 + squeezed);
+  let peak = 1.0 + 4.0 * SURF_PEAKED.z * peaked / ((1.0 + peaked) * (1.0 + peaked));
+  let falling = SURF_OVERHANG * steepness * maths_rise(over, SURF_FALLING);
+  let upright = vec2f(max(squeeze, SURF_UPRIGHT_SQUEEZE) + falling, peak + SURF_UPRIGHT_PEAK);
+  return mix(vec2f(squeeze, peak), upright, maths_rise(over, SURF_UPRIGHT));
+}
+
+// Forward motion, relative to the reciprocal of the wave number (x), and upward motion, relative to the wave's height (y),
+// that give a sine wave the form of surf_form, at a phase, which is 0 on the crest and positive before it. Both motions
+// have a mean of 0 over a wave, and the wave keeps its variance within a few per cent.
+fn surf_shape(phase: f32, form: vec2f) -> vec2f {
+  let off = phase - SURF_FRONT_PHASE;
+  let forward = -form.x * dot(SURF_SINES, sin(off * vec4f(1.0, 2.0, 3.0, 4.0)));
+  let sine = 0.5 + 0.5 * cos(phase);
+  // The mean of a power of (1 + cos) / 2 falls with the exponent.
+  let up = pow(max(sine, 1e-4), form.y) - 0.5 * pow(form.y, -0.43) - (sine - 0.5);
+  return vec2f(forward, up);
+}
+
+// Half the complex amplitude, m, of the waves of a coast's layer at texture coordinates.
+fn surf_half_amplitude(layer: u32, uv: vec2f) -> vec2f {
+  return textureSampleLevel(displacement_map, nearest_mip_sampler, uv, layer + 1u, 0.0).xy;
+}
+
+// Change of the phase, rad/m (x), and of the amplitude, relative to it (y), where half the complex amplitude is `here`, and
+// `before` and `after` it a texel to each side. Steps of one texel are shorter than half a wave.
+fn surf_change(before: vec2f, here: vec2f, after: vec2f, texels_per_m: f32) -> vec2f {
+  let step = maths_complex_mul(after, vec2f(here.x, -here.y)) + maths_complex_mul(here, vec2f(before.x, -before.y));
+  let growth = 0.5 * (length(after) - length(before)) / max(length(here), 1e-5);
+  return texels_per_m * vec2f(atan2(step.y, step.x), growth);
+}
+
+// Motion of the water at an undisplaced position relative to the point below the eye, m, where waves come ashore.
+fn surf_motion(at: vec2f) -> BreakerMotion {
+  var out: BreakerMotion;
+  if !WATER_COAST {
+    return out;
+  }
+  let gain = coast_at(at).z;
+  for (var c = 0u; c < frame.cascade_count && gain > 0.0; c++) {
+    let map = frame.cascades[c];
+    if map.coast_gains.z == 0.0 {
+      continue;
+    }
+    let uv = map.uv_below_eye + at * map.inverse_patch;
+    let surf = water_sample_spline(displacement_map, water_spline_taps(uv, frame.n, 1.0), map.layer + 1u);
+    let here = surf.xy;
+    let height_m = 4.0 * gain * length(here);
+    let texel = vec2f(1.0 / frame.n, 0.0);
+    let texels_per_m = frame.n * map.inverse_patch;
+    let along_x = surf_change(
+      surf_half_amplitude(map.layer, uv - texel), here, surf_half_amplitude(map.layer, uv + texel), texels_per_m);
+    let along_z = surf_change(
+      surf_half_amplitude(map.layer, uv - texel.yx), here, surf_half_amplitude(map.layer, uv + texel.yx),
+      texels_per_m);
+    let turn = vec2f(along_x.x, along_z.x);
+    let depth_m = max(surf.w, SURF_LEAST_DEPTH_M);
+    let wave_number = max(length(turn), SURF_LEAST_WAVE_NUMBER * inverseSqrt(depth_m));
+    let onshore = turn / wave_number;
+    let ursell = 0.375 * height_m / (wave_number * wave_number * depth_m * depth_m * depth_m);
+    if ursell < SURF_LEAST_URSELL {
+      continue;
+    }
+    let form = surf_form(ursell, gain * surf.z, height_m * wave_number);
+    let phase = atan2(here.y, here.x);
+    let shape = surf_shape(phase, form);
+    let change = (1.0 / SURF_PHASE_STEP) * (surf_shape(phase + SURF_PHASE_STEP, form) - shape);
+    let forward_m = shape.x / wave_number;
+    out.moved += vec3f(forward_m * onshore.x, height_m * shape.y, forward_m * onshore.y);
+    out.derivatives.slope += height_m * (change.y * turn + shape.y * vec2f(along_x.y, along_z.y));
+    // Derivatives of the forward motion along its own direction, x and z.
+    let stretch = (change.x / wave_number) * onshore;
+    let choppiness = max(frame.choppiness, vec2f(0.05));
+    out.derivatives.stretch += stretch * turn / choppiness;
+    out.derivatives.shear += stretch * turn.yx / choppiness;
+  }
+  return out;
+}
