@@ -12,7 +12,7 @@ const BREAKER_HALF_EXCESS_SQUARE = 2.0;
 // Thickness of a roller, relative to the height of its crest above the mean.
 const BREAKER_ROLLER_PER_HEIGHT = 0.1;
 // Thickness of a roller at a coast: the first number between billows, and both together on their tops.
-const BREAKER_SURF_ROLLER = vec2f(0.18, 0.22);
+const BREAKER_SURF_ROLLER = vec2f(0.19, 0.11);
 // How far that roller also swells forward, relative to its thickness, because it lies on a steep front.
 const BREAKER_SURF_FORWARD = 0.75;
 // Reciprocal of the coast's factor on short waves from which waves are surf. On the beach, where only a sheet of water
@@ -63,8 +63,7 @@ const BREAKER_BILLOW_SPACINGS_M = vec2f(0.25, 0.7);
 const BREAKER_MEAN_BILLOWS = vec3f(0.44, 0.0, 0.0);
 
 // Height of the billows of a roller, 0 to 1 (x), and its derivatives along x and z, 1/m (yz): round heaps with creases
-// between. They stay where they are while the front runs over them, so that it churns. `at` is relative to the point below
-// the eye, m.
+// between. They stay where they are while the front runs over them, so that it churns.
 fn breaker_billows(at: vec2f) -> vec3f {
   let p = coast_place(at);
   let along = p.x * vec4f(0.8, -0.6, 0.98, 0.2) + p.y * vec4f(0.6, 0.8, -0.2, 0.98);
@@ -76,18 +75,6 @@ fn breaker_billows(at: vec2f) -> vec3f {
   return vec3f(
     0.6 * arcs.x * arcs.y + 0.4 * arcs.z * arcs.w,
     dot(change, vec4f(0.8, -0.6, 0.98, 0.2)), dot(change, vec4f(0.6, 0.8, -0.2, 0.98)));
-}
-
-// The billows at an undisplaced position that `surf` moves, where waves have the height `height_m` and the undisplaced
-// slope `slope`: height (x) and its derivatives along the undisplaced x and z (yz). They lie on the moved surface, unrolled
-// along the direction of the waves: where the front stands upright, they change with its height.
-fn breaker_billows_on(at: vec2f, surf: BreakerMotion, height_m: f32, slope: vec2f, direction: vec2f) -> vec3f {
-  let billows = breaker_billows(at + surf.moved.xz - height_m * direction);
-  let sides = 1.0 + frame.choppiness * surf.derivatives.stretch;
-  let shear = frame.choppiness * surf.derivatives.shear;
-  let along_x = vec2f(sides.x, shear.y) - slope.x * direction;
-  let along_z = vec2f(shear.x, sides.y) - slope.y * direction;
-  return vec3f(billows.x, dot(billows.yz, along_x), dot(billows.yz, along_z));
 }
 
 // Motion of the water at a position relative to the point below the eye, m, where waves have the height `height_m` and
@@ -123,7 +110,7 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
     var billows = BREAKER_MEAN_BILLOWS;
     if share_of_surf * foam.value.y > 0.0 {
       let shown = 1.0 - maths_rise(mesh_spacing(length(at)), BREAKER_BILLOW_SPACINGS_M);
-      billows = mix(billows, breaker_billows_on(at, surf, height_m, slope, direction), shown);
+      billows = mix(billows, breaker_billows(at), shown);
     }
     roller = mix(roller, BREAKER_SURF_ROLLER.x + BREAKER_SURF_ROLLER.y * billows.x, share_of_surf);
     roller_change = roller * roller_change + (square * share_of_surf * BREAKER_SURF_ROLLER.y) * billows.yz;

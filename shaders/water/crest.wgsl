@@ -10,7 +10,7 @@ const WATER_CREST_LONGEST_M = 2.0;
 const WATER_CREST_LEAST_SHARE = 0.08;
 
 // How much more light comes through the steep wall of water before a breaker at a coast.
-const WATER_CREST_SURF = 14.0;
+const WATER_CREST_SURF = 8.0;
 
 // A crest in front of the sun.
 struct WaterCrest {
@@ -65,7 +65,9 @@ fn water_crest_radiance(n: vec3f, ray: vec3f, slope: WaterSlope, height_m: f32, 
   let sky = light.sky_irradiance * (0.25 / ATM_PI * saturate(1.0 + ray.y));
   var share = material.crest_transmission * crest.share;
   if WATER_COAST {
-    share *= 1.0 + WATER_CREST_SURF * maths_smooth(2.5 * (0.8 - slope.jacobian));
+    // The wall is thin only below the lip.
+    let lip = maths_smooth(1.5 * height_m / max(frame.hs_m, 0.05) - 0.4);
+    share *= 1.0 + WATER_CREST_SURF * lip * maths_smooth(2.5 * (0.8 - slope.jacobian));
   }
   return (sun + sky) * through * share;
 }

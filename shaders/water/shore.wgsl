@@ -46,8 +46,12 @@ const SHORE_FRONT_GLOW = 1.0;
 const SHORE_FRONT_GLOW_STOPS = 2.6;
 // Share of the irradiance by the whole sky that the sky around the sun sends there.
 const SHORE_FRONT_SKY = 0.8;
+// How much finer the pattern of a front near a coast is along its crest.
+const SHORE_FRONT_FINER = 2.0;
 // Part of the relief that fronts near a coast lose.
 const SHORE_FRONT_SOFTNESS = 0.85;
+// Part of the contrast between their hollows and lumps that they lose: the squeeze would draw it out to streaks.
+const SHORE_FRONT_EVEN = 0.3;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 
@@ -108,12 +112,11 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> Foam
   return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
 }
 
-// Where the pattern of foam is read for a point near a coast, relative to the point below the eye, m. Surf squeezes the
-// undisplaced positions on its front, so the pattern lies on the displaced surface, unrolled along the direction of the
-// waves: where the front stands upright, it changes with its height.
-fn shore_foam_place(point: WaterPoint) -> vec2f {
-  let onshore = unpack2x16snorm(frame.breaker_direction);
-  return mix(point.undisplaced, point.position.xz - point.height * onshore, coast_at(point.undisplaced).z);
+// Where the pattern of a front is read, for a place on the undisplaced sea: surf squeezes the pattern across its crest, so it
+// is made as much finer along the crest.
+fn shore_front_place(at: vec2f) -> vec2f {
+  let across = unpack2x16snorm(frame.breaker_direction);
+  return SHORE_FRONT_FINER * at - (SHORE_FRONT_FINER - 1.0) * dot(at, across) * across;
 }
 
 // The look of foam near a coast, of which the part `fresh` belongs to fronts, with less relief where the surface is
@@ -123,6 +126,7 @@ fn shore_soft_relief(look: FoamAppearance, fresh: f32, jacobian: f32) -> FoamApp
   var out = look;
   out.relief *= left;
   out.lit = mix(1.0, look.lit, left);
+  out.grain = mix(look.grain, 0.5, SHORE_FRONT_EVEN * fresh);
   return out;
 }
 

@@ -187,6 +187,12 @@ fn water_slope_with_carried(
       water_add_waves(&waves, at, within, c, share, own_gust, gains);
     }
   }
+  if WATER_COAST {
+    // Surf squeezes the waves that the mesh carries, but not the short waves that ride on them.
+    let squeeze = mix(1.0, clamp(water_jacobian(carried, 1.0 + frame.choppiness * carried.stretch), 0.25, 1.0), gains.z);
+    waves.sums.slope = mix(carried.slope, waves.sums.slope, squeeze);
+    waves.half_slope_difference *= squeeze;
+  }
   waves.sums.slope += water_bound_slope(waves.sums, moved, gains);
   return water_displaced_slope(waves);
 }

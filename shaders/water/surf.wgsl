@@ -20,6 +20,10 @@ const SURF_OVERHANG = 0.6;
 const SURF_UPRIGHT_PEAK = 0.6;
 // Phase before the crest, rad, of the middle of the steep front.
 const SURF_FRONT_PHASE = 0.75;
+// Share of the squeeze at the eye, and distances from it, m, over which the squeeze grows to all of it: the mesh is finest
+// around the water below the eye, which must not lie far from where the waves have moved it from.
+const SURF_AT_EYE = 0.45;
+const SURF_BESIDE_EYE_M = vec2f(3.0, 16.0);
 // Least depth, m, from which the Ursell number is computed.
 const SURF_LEAST_DEPTH_M = 0.3;
 // Least wave number, rad/m, times the root of the depth, m: that of long waves of 16 s. Where waves from opposite directions
@@ -107,7 +111,8 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
     if ursell < SURF_LEAST_URSELL {
       continue;
     }
-    let form = surf_form(ursell, gain * surf.z, height_m * wave_number);
+    var form = surf_form(ursell, gain * surf.z, height_m * wave_number);
+    form.x *= mix(SURF_AT_EYE, 1.0, maths_rise(length(at), SURF_BESIDE_EYE_M));
     let phase = atan2(here.y, here.x);
     let shape = surf_shape(phase, form);
     let change = (1.0 / SURF_PHASE_STEP) * (surf_shape(phase + SURF_PHASE_STEP, form) - shape);

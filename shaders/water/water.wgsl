@@ -148,13 +148,18 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   var surface = mirror.radiance + (1.0 - mirror.reflectance) * spread * below;
   if WATER_FOAM && foam.cover >= FOAM_MIN_AMOUNT {
     var foam_at = point.undisplaced;
-    if WATER_COAST {
-      foam_at = shore_foam_place(point);
-    }
     if WATER_HULLS {
       foam_at -= wake.drift_m;
     }
-    var look = foam_appearance(foam_at, foot, foam);
+    var foam_foot = foot;
+    if WATER_COAST {
+      // Fronts are squeezed along the direction of the waves.
+      if foam.fresh > 0.5 {
+        foam_at = shore_front_place(foam_at);
+        foam_foot = water_footprint(shore_front_place(foot.axis), shore_front_place(foot.across));
+      }
+    }
+    var look = foam_appearance(foam_at, foam_foot, foam);
     if WATER_COAST {
       look = shore_soft_relief(look, foam.fresh, slope.jacobian);
     }

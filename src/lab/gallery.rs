@@ -59,11 +59,11 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Southern Ocean storm",
-        description: "Beaufort 10 over 800 km of open water, a significant height of 17 m: foam lies in long streaks \
-                      along the wind before a squall.",
-        state: "v=2&wind=28&fetch=800&dir=270&sun=10&sunaz=190&haze=0.5&overcast=0.55&clouds=stratocumulus\
-                &cloudcover=0.76&squalls=0.8&glints=1&gusts=1&spray=1&exposure=-0.3&bloom=0.04&y=3&heading=264\
-                &pitch=0.5&fov=25&t=51",
+        description: "Beaufort 10 over 800 km of open water, a significant height of 16 m: a crest breaks in the sun \
+                      before a squall.",
+        state: "v=2&wind=26&fetch=800&dir=270&seed=3&sun=14&sunaz=200&haze=0.3&overcast=0.35&clouds=stratocumulus\
+                &cloudcover=0.82&squalls=1&glints=1&gusts=1&spray=1&exposure=-0.6&bloom=0.04&y=2.5&heading=257&pitch=4\
+                &fov=25&t=34.1",
     },
     GalleryPicture {
         title: "Spindrift",

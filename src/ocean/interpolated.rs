@@ -22,6 +22,7 @@ impl Interpolate for SeaAppearance {
         Self {
             choppiness: interpolate_pair(self.choppiness, to.choppiness, fraction),
             hs_m: interpolate(self.hs_m, to.hs_m, fraction),
+            surf_displacement_m: interpolate(self.surf_displacement_m, to.surf_displacement_m, fraction),
             peak_wavelength_m: interpolate(self.peak_wavelength_m, to.peak_wavelength_m, fraction),
             // Geometric, because a bed that rises from the deep sea would otherwise appear only at the very end.
             depth_m: self.depth_m * (to.depth_m / self.depth_m).powf(fraction),

@@ -40,6 +40,8 @@ pub use interpolated::DrawnSea;
 
 /// Least height of the eye above the still water, m. If waves are higher, a GPU pass raises the eye further above them.
 const MIN_EYE_HEIGHT_M: f64 = 0.5;
+/// How far surf moves the water near the eye, m (shaders/water/surf.wgsl).
+const SURF_DISPLACEMENT_M: f64 = 3.0;
 
 /// A simulated sea on a GPU device, with the renderer that draws it.
 ///
@@ -322,7 +324,9 @@ impl Ocean {
         let plan = self.sim.plan();
         let share = self.sim.cross_fade_weight();
         let (old, now) = self.appearance.fading_and_current();
+        let has_coast = self.sim.maps().coast.is_some();
         let sea = SeaAppearance {
+            surf_displacement_m: if has_coast { SURF_DISPLACEMENT_M } else { 0.0 },
             finest_cascade_slope_variance: now.finest_cascade_slope_variance,
             ..self.appearance.cross_faded_value(share)
         };
@@ -340,7 +344,7 @@ impl Ocean {
                 variance_fraction: 1.0 - share,
             }),
             mean_foam: self.sim.mean_foam(),
-            has_coast: self.sim.maps().coast.is_some(),
+            has_coast,
             may_keep_pipelines: self.may_keep_pipelines,
             is_lean: self.is_lean,
             t_s: self.params.clock.t_s,

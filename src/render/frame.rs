@@ -145,7 +145,7 @@ impl FrameUniform {
             sun_radiance_per_irradiance: (PI * disc).recip() as f32,
             choppiness: sea.choppiness.map(|l| l as f32),
             undisplaced_below_eye: [0.0; 2],
-            max_displacement_m: (1.0 + 0.8 * sea.max_choppiness() * sea.hs_m) as f32,
+            max_displacement_m: (1.0 + 0.8 * sea.max_choppiness() * sea.hs_m + sea.surf_displacement_m) as f32,
             height_from_waves: f32::from(u8::from(scene.height_from_waves)),
             n: maps.n as f32,
             cascade_count: maps.cascades.len() as u32,

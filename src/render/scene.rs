@@ -80,6 +80,8 @@ pub struct SeaAppearance {
     pub choppiness: [f64; 2],
     /// Significant wave height, m.
     pub hs_m: f64,
+    /// How far surf moves the water near the eye to and fro besides, m; 0 in the open sea.
+    pub surf_displacement_m: f64,
     /// Length in deep water of the waves at the peak of the spectrum, m.
     pub peak_wavelength_m: f64,
     /// Water depth, m.
@@ -115,6 +117,7 @@ impl SeaAppearance {
         Self {
             choppiness: plan.sea.choppiness_xz(),
             hs_m: plan.hs_m(),
+            surf_displacement_m: 0.0,
             peak_wavelength_m: TAU * plan.sea.gravity_m_s2 / (plan.omega_p * plan.omega_p).max(1e-6),
             depth_m: plan.sea.depth_m,
             still_water_level_m: plan.sea.still_water_level_m,
@@ -138,6 +141,7 @@ impl SeaAppearance {
         Self {
             choppiness: [1.0; 2],
             hs_m,
+            surf_displacement_m: 0.0,
             peak_wavelength_m: 60.0,
             depth_m: 4000.0,
             wind_m_s: 10.0,

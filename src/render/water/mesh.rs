@@ -62,7 +62,8 @@ impl Mesh {
         let index_buffer_columns =
             ((DEFAULT_COLUMNS * scale / f64::from(COLUMNS_PER_BLOCK)).ceil() as u32) * COLUMNS_PER_BLOCK;
         let rows = (DEFAULT_ROWS * scale).ceil() as u32;
-        let (lift, shift) = (1.1 * sea.hs_m, 0.6 * sea.hs_m * sea.max_choppiness());
+        let lift = 1.1 * sea.hs_m;
+        let shift = 0.6 * sea.hs_m * sea.max_choppiness() + sea.surf_displacement_m;
         // From below, the surface is seen as far away as from the same height above it.
         let eye = view.eye.y.abs().max(0.1);
         let (lowest, widest) = lowest_elevation_and_largest_azimuth_rad(view);
