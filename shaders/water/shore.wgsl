@@ -112,11 +112,11 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> Foam
   return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
 }
 
-// Where the pattern of a front is read, for a place on the undisplaced sea: surf squeezes the pattern across its crest, so it
-// is made as much finer along the crest.
-fn shore_front_place(at: vec2f) -> vec2f {
+// What is added to a place or a distance `at` on the undisplaced sea, so that the pattern of a front there is finer along its
+// crest: surf squeezes it across the crest.
+fn shore_front_finer(at: vec2f) -> vec2f {
   let across = unpack2x16snorm(frame.breaker_direction);
-  return SHORE_FRONT_FINER * at - (SHORE_FRONT_FINER - 1.0) * dot(at, across) * across;
+  return (SHORE_FRONT_FINER - 1.0) * (at - dot(at, across) * across);
 }
 
 // The look of foam near a coast, of which the part `fresh` belongs to fronts, with less relief where the surface is

@@ -189,7 +189,8 @@ fn water_slope_with_carried(
   }
   if WATER_COAST {
     // Surf squeezes the waves that the mesh carries, but not the short waves that ride on them.
-    let squeeze = mix(1.0, clamp(water_jacobian(carried, 1.0 + frame.choppiness * carried.stretch), 0.25, 1.0), gains.z);
+    let of_mesh = water_jacobian(carried, 1.0 + frame.choppiness * carried.stretch);
+    let squeeze = mix(1.0, clamp(of_mesh, 0.25, 1.0), gains.z);
     waves.sums.slope = mix(carried.slope, waves.sums.slope, squeeze);
     waves.half_slope_difference *= squeeze;
   }

@@ -153,10 +153,11 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     }
     var foam_foot = foot;
     if WATER_COAST {
-      // Fronts are squeezed along the direction of the waves.
       if foam.fresh > 0.5 {
-        foam_at = shore_front_place(foam_at);
-        foam_foot = water_footprint(shore_front_place(foot.axis), shore_front_place(foot.across));
+        // The pattern must not move with the eye, so it is measured from a place on land.
+        foam_at += shore_front_finer(coast_place(point.undisplaced));
+        foam_foot = water_footprint(
+          foot.axis + shore_front_finer(foot.axis), foot.across + shore_front_finer(foot.across));
       }
     }
     var look = foam_appearance(foam_at, foam_foot, foam);
