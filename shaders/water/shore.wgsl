@@ -42,7 +42,7 @@ const SHORE_CLEAR_M = 0.35;
 const SHORE_THIN_M = 0.45;
 // Sunlight that comes from behind through the foam of a breaker's front, relative to that which falls on a plane
 // towards the sun, and stops of it between the thickest and the thinnest foam.
-const SHORE_FRONT_GLOW = 1.0;
+const SHORE_FRONT_GLOW = 2.2;
 const SHORE_FRONT_GLOW_STOPS = 2.6;
 // Share of the irradiance by the whole sky that the sky around the sun sends there.
 const SHORE_FRONT_SKY = 0.8;
