@@ -29,6 +29,8 @@ const SURF_LEAST_DEPTH_M = 0.3;
 // Least wave number, rad/m, times the root of the depth, m: that of long waves of 16 s. Where waves from opposite directions
 // meet, as before a wall, the phase of their sum changes more slowly, and less of this shape is left.
 const SURF_LEAST_WAVE_NUMBER = 0.125;
+// Changes of the phase between texels, rad, over which this shape fades out: on coarser maps the phase is not known.
+const SURF_COARSE = vec2f(1.4, 2.2);
 // Coefficients of the sines of once to four times the phase in the motion that squeezes the front: the integral of the
 // fourth power of (1 + cos) / 2, without its mean.
 const SURF_SINES = vec4f(0.4375, 0.109375, 0.0208333, 0.001953);
@@ -112,6 +114,7 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
       continue;
     }
     var form = surf_form(ursell, gain * surf.z, height_m * wave_number);
+    form = mix(form, vec2f(0.0, 1.0), maths_rise(wave_number / texels_per_m, SURF_COARSE));
     form.x *= mix(SURF_AT_EYE, 1.0, maths_rise(length(at), SURF_BESIDE_EYE_M));
     let phase = atan2(here.y, here.x);
     let shape = surf_shape(phase, form);
