@@ -212,7 +212,7 @@ fn surf_moves_as_its_slopes_tell_and_small_waves_do_not() {
     let moving = surf.iter().filter(|m| m[0] != [0.0; 4]).count();
     let most = surf.iter().map(|m| m[0][0].hypot(m[0][2])).fold(0.0, f64::max);
     let own = error(&surf);
-    let wrong = shaders.clone().patched("water/displace", "let stretch = (change.x", "let stretch = (0.8 * change.x");
+    let wrong = shaders.clone().patched("water/displace", "forward_m, (change.x", "forward_m, (0.8 * change.x");
     let fault = error(&motions(&gpu, &wrong, &transfer, [470.0, 150.0]));
     eprintln!(
         "{moving} of {} points move, by up to {most:.1} m; derivatives {own:.3}, with a fault {fault:.3}",

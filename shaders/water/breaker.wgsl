@@ -77,6 +77,24 @@ fn breaker_billows(at: vec2f) -> vec3f {
     dot(change, vec4f(0.8, -0.6, 0.98, 0.2)), dot(change, vec4f(0.6, 0.8, -0.2, 0.98)));
 }
 
+// How breaking waves move the water.
+struct BreakerMotion {
+  // Displacement along x, y and z, m.
+  moved: vec3f,
+  // Derivatives of it, those along x and z divided by the choppiness as those of the waves are.
+  derivatives: WaterDerivatives,
+}
+
+// A motion with `forward_m` metres more along the direction (x, z) `direction`, which change by `change` along x and z.
+fn breaker_pushed(motion: BreakerMotion, direction: vec2f, forward_m: f32, change: vec2f) -> BreakerMotion {
+  let along = direction / max(frame.choppiness, vec2f(0.05));
+  var out = motion;
+  out.moved += forward_m * vec3f(direction.x, 0.0, direction.y);
+  out.derivatives.stretch += along * change;
+  out.derivatives.shear += along * change.yx;
+  return out;
+}
+
 // Motion of the water at a position relative to the point below the eye, m, where waves have the height `height_m` and
 // the undisplaced slope `slope`. `surf` is surf_motion there: the height and the slope contain it, and the motion, too.
 fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -> BreakerMotion {
@@ -120,10 +138,8 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
   } else {
     roller_change *= roller;
   }
-  let along = direction / max(frame.choppiness, vec2f(0.05));
-  out.derivatives.stretch += along * forward_change;
-  out.derivatives.shear += along * forward_change.yx;
+  out = breaker_pushed(out, direction, forward_m, forward_change);
+  out.moved.y += roller * square * height_m;
   out.derivatives.slope += roller * square * slope + height_m * roller_change;
-  out.moved += vec3f(forward_m * direction.x, roller * square * height_m, forward_m * direction.y);
   return out;
 }

@@ -10,7 +10,7 @@
 // Weights of the layers in the pattern of a breaker's front: windrows, billows, strands and threads. Their squares add up
 // to 1.
 const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.68, 0.6, 0.41);
-// The same near a coast, where surf squeezes the pattern: strands and threads would be drawn out to fur.
+// Weights in the pattern of a front near a coast. Surf draws strands and threads out to long streaks, so they count less.
 const FOAM_SURF_WEIGHTS = vec4f(0.08, 0.93, 0.25, 0.25);
 // Change of these weights at the edge of a front, where it covers half of the water: fewer billows, more strands and
 // threads, so that the edge is lace.

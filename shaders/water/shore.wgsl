@@ -112,8 +112,8 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> Foam
   return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
 }
 
-// What is added to a place or a distance `at` on the undisplaced sea, so that the pattern of a front there is finer along its
-// crest: surf squeezes it across the crest.
+// The vector by which a position or a distance `at` on the undisplaced sea must be lengthened along the crests, so that the
+// pattern of foam that is read there is finer along them. Surf makes the pattern of a front finer across its crest.
 fn shore_front_finer(at: vec2f) -> vec2f {
   let across = unpack2x16snorm(frame.breaker_direction);
   return (SHORE_FRONT_FINER - 1.0) * (at - dot(at, across) * across);

@@ -37,16 +37,8 @@ const SURF_SINES = vec4f(0.4375, 0.109375, 0.0208333, 0.001953);
 // Step of the phase, rad, over which the shape is differentiated.
 const SURF_PHASE_STEP = 0.03;
 
-// How breaking waves move the water.
-struct BreakerMotion {
-  // Displacement along x, y and z, m.
-  moved: vec3f,
-  // Derivatives of it, those along x and z divided by the choppiness as those of the waves are.
-  derivatives: WaterDerivatives,
-}
-
-// How far a wave with an Ursell number is from a sine: squeeze of its front (x), and exponent of the shape of its crest (y).
-// Its height is `over` relative to that from which it breaks, and `steepness` times the reciprocal of the wave number.
+// How far the form of a wave is from a sine: squeeze of its front (x), and exponent of the shape of its crest (y). `over` is
+// the height of the wave, relative to that from which it breaks; `steepness` is its height times its wave number.
 fn surf_form(ursell: f32, over: f32, steepness: f32) -> vec2f {
   let squeezed = pow(ursell / SURF_SQUEEZED.x, SURF_SQUEEZED.y);
   let peaked = pow(ursell / SURF_PEAKED.x, SURF_PEAKED.y);
@@ -120,13 +112,9 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
     let shape = surf_shape(phase, form);
     let change = (1.0 / SURF_PHASE_STEP) * (surf_shape(phase + SURF_PHASE_STEP, form) - shape);
     let forward_m = shape.x / wave_number;
-    out.moved += vec3f(forward_m * onshore.x, height_m * shape.y, forward_m * onshore.y);
+    out = breaker_pushed(out, onshore, forward_m, (change.x / wave_number) * turn);
+    out.moved.y += height_m * shape.y;
     out.derivatives.slope += height_m * (change.y * turn + shape.y * vec2f(along_x.y, along_z.y));
-    // Derivatives of the forward motion along its own direction, x and z.
-    let stretch = (change.x / wave_number) * onshore;
-    let choppiness = max(frame.choppiness, vec2f(0.05));
-    out.derivatives.stretch += stretch * turn / choppiness;
-    out.derivatives.shear += stretch * turn.yx / choppiness;
   }
   return out;
 }

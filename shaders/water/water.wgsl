@@ -152,13 +152,11 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
       foam_at -= wake.drift_m;
     }
     var foam_foot = foot;
-    if WATER_COAST {
-      if foam.fresh > 0.5 {
-        // The pattern must not move with the eye, so it is measured from a place on land.
-        foam_at += shore_front_finer(coast_place(point.undisplaced));
-        foam_foot = water_footprint(
-          foot.axis + shore_front_finer(foot.axis), foot.across + shore_front_finer(foot.across));
-      }
+    if WATER_COAST && foam.fresh > 0.5 {
+      // The pattern must not move with the eye, so its place is measured from the corner of the coast's square.
+      foam_at += shore_front_finer(coast_place(point.undisplaced));
+      foam_foot = water_footprint(
+        foot.axis + shore_front_finer(foot.axis), foot.across + shore_front_finer(foot.across));
     }
     var look = foam_appearance(foam_at, foam_foot, foam);
     if WATER_COAST {

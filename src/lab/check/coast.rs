@@ -15,7 +15,6 @@ use crate::waves::statistics::lattice_indices;
 use half::f16;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
-use std::ops::Range;
 use std::sync::Arc;
 
 /// Largest accepted rms error of the maps of waves at a coast, divided by the rms of the oracle's. Besides the maps, the
@@ -212,14 +211,14 @@ pub async fn compare(
         lines.push(comparison(what, 0, rms_difference(got.into_iter(), want.into_iter()) / rms, tolerance));
     }
     let breakers = &read_map(gpu, &sim.resources, MapKind::Displacement, 0).await?[(layer + 1) * places.len()..];
-    let mut compare = |what, channels: Range<usize>, want: &dyn Fn(&CoastPoint) -> [f64; 2]| {
-        let got = inside.iter().map(|i| [channels.start, channels.end - 1].map(|channel| breakers[*i][channel]));
+    let mut compare = |what, channels: [usize; 2], want: &dyn Fn(&CoastPoint) -> [f64; 2]| {
+        let got = inside.iter().map(|i| channels.map(|channel| breakers[*i][channel]));
         let want: Vec<[f64; 2]> = inside.iter().map(|i| want(&sums[*i])).collect();
         let rms = root_mean_square(want.iter().copied()).max(MIN_RMS_DIVISOR);
         lines.push(comparison(what, 0, rms_difference(got, want.into_iter()) / rms, COAST_MAP_TOLERANCE));
     };
-    compare("coast phases", 0..2, &|point| point.half_amplitude_m);
-    compare("coast breaking", 2..3, &|point| [oracle::coast::height_over_breaking(point); 2]);
-    compare("coast depth", 3..4, &|point| [point.depth_m; 2]);
+    compare("coast phases", [0, 1], &|point| point.half_amplitude_m);
+    compare("coast breaking", [2, 2], &|point| [oracle::coast::height_over_breaking(point); 2]);
+    compare("coast depth", [3, 3], &|point| [point.depth_m; 2]);
     Ok(lines)
 }
