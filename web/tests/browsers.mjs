@@ -3,7 +3,7 @@
 import { existsSync } from 'node:fs';
 import puppeteer from 'puppeteer-core';
 
-const PATIENCE_MS = Number(process.env.SEASTATE_PATIENCE ?? 120) * 1000; // for software adapters on two cores
+export const PATIENCE_MS = Number(process.env.SEASTATE_PATIENCE ?? 120) * 1000; // for software adapters on two cores
 
 const CHROMIUM_FLAGS = [
   '--no-sandbox',
