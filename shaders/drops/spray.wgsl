@@ -1,10 +1,6 @@
 // Spray: puffs of drops that breaking crests throw up and the wind tears off and carries away. A puff is a quad that
 // follows from the number of its place and of its period (src/render/drops/spray.rs) and from the maps at the present
 // time, so nothing is stored between frames.
-//
-// A puff of the age a was born at the undisplaced place X. A crest that moves at the speed c and keeps its form has
-// moved from X to X + c a since. So the height of X at the birth is that of X + c a now, and X had a breaking front if
-// X + c a has one now and bubbles have been left at X.
 
 @group(0) @binding(9) var<uniform> material: Material;
 @group(2) @binding(0) var<uniform> spray: Spray;
@@ -16,31 +12,30 @@ const SPRAY_SIDE = 96u;
 const SPRAY_MIST_HEIGHT = 0.42;
 // Least part of the speed of mist that counts as motion across the view.
 const SPRAY_LEAST_SIDEWAYS = 0.5;
-// Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
-const SPRAY_COARSE_SHARE = 0.25;
-// Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(1.1, 0.4);
 // Exposure time over which a puff moves in the picture, s.
 const SPRAY_EXPOSURE_S = 0.02;
-// Range of the front of a breaker over which it throws up spray.
-const SPRAY_FRONT_RANGE = vec2f(0.3, 0.8);
 // Distances from the eye over which puffs appear, m.
-const SPRAY_NEAR_M = vec2f(1.5, 5.0);
-// Highest speed at which eddies behind the crest lift mist, relative to that of the wind.
-const SPRAY_LIFT = 0.02;
-// Fraction of the light that reaches a puff at the root of the spray, and how much brighter its sunlit side is.
-const SPRAY_ROOT_LIGHT = 0.5;
+const SPRAY_NEAR_M = vec2f(3.0, 12.0);
+// How much brighter the sunlit side of a puff is.
 const SPRAY_ROUNDNESS = 0.3;
 // Drifts in which puffs lie are noise of the layer of the foam's billows: how much faster they change upwards than
 // across, and the number of parts of its tile in which their way is counted, a power of two.
 const SPRAY_DRIFT_SLOPE = 2.0;
 const SPRAY_DRIFT_PARTS = 256.0;
-// Contrast, in stops, of drifts (x), and of the noise of mist (y) and of coarse drops (z).
-const SPRAY_CONTRAST = vec3f(4.0, 5.0, 5.0);
+// Contrast, in stops, of the noise of mist (x) and of coarse drops (y).
+const SPRAY_CONTRAST = vec2f(5.0, 2.5);
+// Contrast, in stops, of single drops in coarse puffs, which the noise of bubbles shows where it is low.
+const SPRAY_DROPS = 12.0;
 // By how much low noise shortens the radius of a puff, relative to its square.
 const SPRAY_TORN_EDGE = 1.6;
-// Tiles of noise in the radius of a puff: of mist (x) and of coarse drops (y).
-const SPRAY_NOISE_TILES = vec2f(0.5, 0.6);
+// Tiles of noise in the radius of a puff, which are the most that fit into it without a repeat.
+const SPRAY_NOISE_TILES = 0.5;
+// Texels of the noise of drops in a pixel, and the mip level that shows them as dots of some pixels: drops are smaller
+// than pixels, and those that one sees are the largest.
+const SPRAY_DROP_TEXELS = 8.0;
+const SPRAY_DROP_LOD = 2.6;
+// Fraction of the contrast of that noise which is left at that level.
+const SPRAY_DROP_LEFT = 0.7;
 
 struct SprayFragment {
   @builtin(position) clip: vec4f,
@@ -57,16 +52,8 @@ struct SprayFragment {
   // Distance along the viewing direction, and over which the puff fades into what it touches, m. Direction to the sun
   // along and across the quad.
   @location(5) @interpolate(flat) depth: vec4f,
-}
-
-// Values of the foam map at an undisplaced position: foam, source, front and plume. The finest level is left out: its
-// smallest fronts move more slowly than the large ones that throw up spray.
-fn spray_foam(at: vec2f) -> vec4f {
-  let level = foam_finest_level(1u, at, 0.0);
-  if level == frame.foam_level_count {
-    return vec4f(0.0);
-  }
-  return foam_cell(level, at);
+  // Contrasts, in stops, of drifts (x) and of single drops (y), and tiles of the latter's noise over half the quad (z).
+  @location(6) @interpolate(flat) contrast: vec3f,
 }
 
 // Share of a grid's puffs that are seen at a distance from the eye, so that grids take turns gradually.
@@ -78,60 +65,6 @@ fn spray_level_share(level: u32, distance_m: f32) -> f32 {
     share *= smoothstep(0.6 * finer, finer, distance_m);
   }
   return share;
-}
-
-struct SprayPuff {
-  position: vec3f,
-  velocity: vec3f,
-  radius_m: f32,
-  optical_depth: f32,
-  // Length divided by width, as seen from the side.
-  stretch: f32,
-  // Fraction of the light that other spray lets through to it.
-  open: f32,
-  is_coarse: bool,
-}
-
-// A puff at the age `age` (a fraction of its life) from the undisplaced place `place`. `random` and `more` are uniform.
-fn spray_puff(level: u32, place: vec2f, age: f32, random: vec4f, more: vec4f) -> SprayPuff {
-  var out: SprayPuff;
-  let t = age * spray.puff_s;
-  let ahead = place + (spray.breaker_speed_m_s * t) * spray.downwind;
-  let front = (spray_foam(ahead).z - SPRAY_FRONT_RANGE.x) / (SPRAY_FRONT_RANGE.y - SPRAY_FRONT_RANGE.x);
-  let torn = maths_smooth(front) * saturate(3.0 * spray_foam(place).w);
-  if torn <= 0.001 {
-    return out;
-  }
-  let cell_m = spray.levels[level].cell_m;
-  let moved = water_displacement(ahead, max(cell_m, 0.5), false).displacement;
-  let is_coarse = more.x < SPRAY_COARSE_SHARE;
-  // Time in which drops take on the speed of the air, and their fall speed.
-  let relaxation_s = select(0.12 + 0.25 * more.y, 0.45, is_coarse);
-  let fall = select(0.3 + 0.5 * more.y, 3.0 + 2.0 * more.y, is_coarse);
-  let across = vec2f(-spray.downwind.y, spray.downwind.x);
-  let jet = sqrt(frame.hs_m) * select(0.05 + 0.25 * more.z, 0.3 + 0.5 * more.z, is_coarse);
-  let sideways = (random.z - 0.5) * across;
-  let start = (spray.breaker_speed_m_s * (0.8 + 0.5 * random.w)) * spray.downwind + 2.0 * sideways;
-  let gust = spray.wind_m_s * (0.75 + 0.35 * more.w);
-  let carried = gust * spray.downwind + (0.2 * gust) * sideways;
-  let lift = select(SPRAY_LIFT * spray.wind_m_s * random.z * random.z, 0.0, is_coarse);
-  let rest = vec3f(carried.x, lift - fall, carried.y);
-  let left = exp(-t / relaxation_s);
-  let change = vec3f(start.x, jet, start.y) - rest;
-  out.position = vec3f(place.x, 0.0, place.y) + moved + rest * t + change * (relaxation_s * (1.0 - left));
-  out.velocity = rest + change * left;
-  out.is_coarse = is_coarse;
-  // Turbulence widens a puff, which thins.
-  let young_m = cell_m * select(0.35 + 0.4 * random.z, 0.25 + 0.35 * random.z, is_coarse);
-  let growth = select(0.6 + 1.9 * sqrt(age), 0.7 + 1.0 * age, is_coarse);
-  out.radius_m = young_m * growth;
-  out.stretch = select(2.2 + 4.0 * age, 1.3, is_coarse);
-  out.open = mix(SPRAY_ROOT_LIGHT, 1.0, maths_smooth(3.0 * age));
-  let life = maths_smooth(age * 8.0) * pow(1.0 - age, select(2.5, 2.0, is_coarse));
-  let depths = select(SPRAY_OPTICAL_DEPTH.x, SPRAY_OPTICAL_DEPTH.y, is_coarse);
-  let thinned = select(1.0 - 0.7 * random.z * random.z, 1.0, is_coarse);
-  out.optical_depth = depths * torn * life * thinned / (growth * growth);
-  return out;
 }
 
 // Texture coordinates of the drifts at a point relative to the point below the eye, m. Drifts are noise in space that
@@ -158,11 +91,13 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   let key = vec4u(cell, level, spray.moment + u32(time));
   let random = noise_pcg4d_unit(key);
   let more = noise_pcg4d_unit(key + 1u);
-  if noise_pcg4d_unit(key + 2u).x >= spray.share {
+  let place = grid.corner + (vec2f(step) + random.xy) * grid.cell_m;
+  let age = fract(time);
+  let birth = spray_birth(level, place, age * spray.puff_s, random, noise_pcg4d_unit(key + 2u).x);
+  if birth.torn <= SPRAY_LEAST_TORN {
     return out;
   }
-  let place = grid.corner + (vec2f(step) + random.xy) * grid.cell_m;
-  let puff = spray_puff(level, place, fract(time), random, more);
+  let puff = spray_puff(birth, place, grid.cell_m, age, random, more);
   let centre = vec3f(puff.position.x, puff.position.y - frame.eye_height_m, puff.position.z);
   let distance_m = length(centre);
   let near = smoothstep(SPRAY_NEAR_M.x, SPRAY_NEAR_M.y, distance_m);
@@ -193,16 +128,19 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   out.at = at;
   out.drift = spray_drift(vec3f(point.x, point.y + frame.eye_height_m, point.z));
   let pixel_m = distance_m * frame.pixel_angle;
-  let scale = select(SPRAY_NOISE_TILES.x, SPRAY_NOISE_TILES.y, puff.is_coarse);
+  let scale = SPRAY_NOISE_TILES;
   // The noise is drawn out as the puff is: the wind tears mist to threads.
   out.noise = vec4f(random.wx, vec2f(scale));
   let lod = max(log2(512.0 * scale * pixel_m / high_m), 0.0);
   let drift_lod = max(log2(pixel_m) + material.noise_layers[FOAM_BILLOW_LAYER].log_texels_per_m, 0.0);
-  let contrast = select(SPRAY_CONTRAST.y, SPRAY_CONTRAST.z, puff.is_coarse);
+  let contrast = select(SPRAY_CONTRAST.x, SPRAY_CONTRAST.y, puff.is_coarse);
   // Means of the exponentials of even noise fall to 1 as pixels grow and the mip levels of the noise become even.
   let own = mix(spray_mean(contrast), 1.0, saturate(0.22 * lod));
-  let even = mix(spray_mean(SPRAY_CONTRAST.x), 1.0, saturate(0.16 * drift_lod));
-  out.sharp = vec4f(drift_lod, lod, contrast, 1.0 / (own * even));
+  let even = mix(spray_mean(puff.drifts), 1.0, saturate(0.16 * drift_lod));
+  let dots = max(SPRAY_DROPS * puff.drops, 0.01);
+  out.contrast = vec3f(puff.drifts, dots, SPRAY_DROP_TEXELS * high_m / (512.0 * pixel_m));
+  let dotted = spray_mean(SPRAY_DROP_LEFT * dots);
+  out.sharp = vec4f(drift_lod, lod, contrast, 1.0 / (own * even * dotted));
   let air = air_to_point(dir, distance_m);
   out.light = vec4f(spray_radiance(dir, centre.xz, puff.open) * air[1] + air[0], optical_depth);
   let towards_sun = vec2f(dot(along, frame.sun_direction), dot(side, frame.sun_direction));
@@ -219,11 +157,13 @@ fn spray_mean(contrast: f32) -> f32 {
 fn fragment(in: SprayFragment) -> @location(0) vec4f {
   let drift = textureSampleLevel(noise_map, noise_sampler, in.drift, 0, in.sharp.x).b - 0.5;
   let own = textureSampleLevel(noise_map, noise_sampler, in.noise.xy + in.at * in.noise.zw, 0, in.sharp.y).b - 0.5;
+  let drops_at = in.noise.yx + in.at * in.contrast.z;
+  let drops = 0.5 - textureSampleLevel(noise_map, noise_sampler, drops_at, 0, SPRAY_DROP_LOD).g;
   // Where the noise is low, the puff reaches less far, so that its edge is torn and not a circle.
   let inside = saturate(1.0 - dot(in.at, in.at) * (1.0 + SPRAY_TORN_EDGE * (0.5 - own)));
   let scene_m = frame.clip_from_relative[3].z / max(textureLoad(depth_map, vec2i(in.clip.xy), 0), 1e-9);
   let free = saturate((scene_m - in.depth.x) / in.depth.y);
-  let clumped = exp2(SPRAY_CONTRAST.x * drift + in.sharp.z * own) * in.sharp.w;
+  let clumped = exp2(in.contrast.x * drift + in.sharp.z * own + in.contrast.y * drops) * in.sharp.w;
   let opacity = 1.0 - exp(-in.light.w * inside * inside * clumped * free);
   // The side of a puff that faces the sun is brighter than the other one.
   let shade = 1.0 + SPRAY_ROUNDNESS * dot(in.at, in.depth.zw);

@@ -74,6 +74,35 @@ fn surf_change(before: vec2f, here: vec2f, after: vec2f, texels_per_m: f32) -> v
   return texels_per_m * vec2f(atan2(step.y, step.x), growth);
 }
 
+// A coast's wave at an undisplaced position.
+struct SurfWave {
+  // Half the complex amplitude, m (xy); height relative to that from which the wave breaks (z); depth, m (w).
+  here: vec4f,
+  // Changes of the phase along x and z, rad/m, and of the amplitude, relative to it, 1/m.
+  turn: vec2f,
+  growth: vec2f,
+}
+
+// The layer behind that of a coast's waves at an undisplaced position relative to the point below the eye, m.
+fn surf_sample(map: FrameCascade, at: vec2f) -> vec4f {
+  let uv = map.uv_below_eye + at * map.inverse_patch;
+  return water_sample_spline(displacement_map, water_spline_taps(uv, frame.n, 1.0), map.layer + 1u);
+}
+
+// The wave of a coast's layer at an undisplaced position relative to the point below the eye, m.
+fn surf_wave(map: FrameCascade, at: vec2f) -> SurfWave {
+  let here = surf_sample(map, at);
+  let uv = map.uv_below_eye + at * map.inverse_patch;
+  let texel = vec2f(1.0 / frame.n, 0.0);
+  let texels_per_m = frame.n * map.inverse_patch;
+  let along_x = surf_change(
+    surf_half_amplitude(map.layer, uv - texel), here.xy, surf_half_amplitude(map.layer, uv + texel), texels_per_m);
+  let along_z = surf_change(
+    surf_half_amplitude(map.layer, uv - texel.yx), here.xy, surf_half_amplitude(map.layer, uv + texel.yx),
+    texels_per_m);
+  return SurfWave(here, vec2f(along_x.x, along_z.x), vec2f(along_x.y, along_z.y));
+}
+
 // Motion of the water at an undisplaced position relative to the point below the eye, m, where waves come ashore.
 fn surf_motion(at: vec2f) -> BreakerMotion {
   var out: BreakerMotion;
@@ -86,35 +115,25 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
     if map.coast_gains.z == 0.0 {
       continue;
     }
-    let uv = map.uv_below_eye + at * map.inverse_patch;
-    let surf = water_sample_spline(displacement_map, water_spline_taps(uv, frame.n, 1.0), map.layer + 1u);
-    let here = surf.xy;
-    let height_m = 4.0 * gain * length(here);
-    let texel = vec2f(1.0 / frame.n, 0.0);
-    let texels_per_m = frame.n * map.inverse_patch;
-    let along_x = surf_change(
-      surf_half_amplitude(map.layer, uv - texel), here, surf_half_amplitude(map.layer, uv + texel), texels_per_m);
-    let along_z = surf_change(
-      surf_half_amplitude(map.layer, uv - texel.yx), here, surf_half_amplitude(map.layer, uv + texel.yx),
-      texels_per_m);
-    let turn = vec2f(along_x.x, along_z.x);
-    let depth_m = max(surf.w, SURF_LEAST_DEPTH_M);
-    let wave_number = max(length(turn), SURF_LEAST_WAVE_NUMBER * inverseSqrt(depth_m));
-    let onshore = turn / wave_number;
+    let wave = surf_wave(map, at);
+    let height_m = 4.0 * gain * length(wave.here.xy);
+    let depth_m = max(wave.here.w, SURF_LEAST_DEPTH_M);
+    let wave_number = max(length(wave.turn), SURF_LEAST_WAVE_NUMBER * inverseSqrt(depth_m));
+    let onshore = wave.turn / wave_number;
     let ursell = 0.375 * height_m / (wave_number * wave_number * depth_m * depth_m * depth_m);
     if ursell < SURF_LEAST_URSELL {
       continue;
     }
-    var form = surf_form(ursell, gain * surf.z, height_m * wave_number);
-    form = mix(form, vec2f(0.0, 1.0), maths_rise(wave_number / texels_per_m, SURF_COARSE));
+    var form = surf_form(ursell, gain * wave.here.z, height_m * wave_number);
+    form = mix(form, vec2f(0.0, 1.0), maths_rise(wave_number / (frame.n * map.inverse_patch), SURF_COARSE));
     form.x *= mix(SURF_AT_EYE, 1.0, maths_rise(length(at), SURF_BESIDE_EYE_M));
-    let phase = atan2(here.y, here.x);
+    let phase = atan2(wave.here.y, wave.here.x);
     let shape = surf_shape(phase, form);
     let change = (1.0 / SURF_PHASE_STEP) * (surf_shape(phase + SURF_PHASE_STEP, form) - shape);
     let forward_m = shape.x / wave_number;
-    out = breaker_pushed(out, onshore, forward_m, (change.x / wave_number) * turn);
+    out = breaker_pushed(out, onshore, forward_m, (change.x / wave_number) * wave.turn);
     out.moved.y += height_m * shape.y;
-    out.derivatives.slope += height_m * (change.y * turn + shape.y * vec2f(along_x.y, along_z.y));
+    out.derivatives.slope += height_m * (change.y * wave.turn + shape.y * wave.growth);
   }
   return out;
 }

@@ -24,6 +24,7 @@ impl Interpolate for SeaAppearance {
             hs_m: interpolate(self.hs_m, to.hs_m, fraction),
             surf_displacement_m: interpolate(self.surf_displacement_m, to.surf_displacement_m, fraction),
             peak_wavelength_m: interpolate(self.peak_wavelength_m, to.peak_wavelength_m, fraction),
+            gravity_m_s2: interpolate(self.gravity_m_s2, to.gravity_m_s2, fraction),
             // Geometric, because a bed that rises from the deep sea would otherwise appear only at the very end.
             depth_m: self.depth_m * (to.depth_m / self.depth_m).powf(fraction),
             still_water_level_m: interpolate(self.still_water_level_m, to.still_water_level_m, fraction),

@@ -84,6 +84,8 @@ pub struct SeaAppearance {
     pub surf_displacement_m: f64,
     /// Length in deep water of the waves at the peak of the spectrum, m.
     pub peak_wavelength_m: f64,
+    /// Acceleration of gravity, m/s^2.
+    pub gravity_m_s2: f64,
     /// Water depth, m.
     pub depth_m: f64,
     /// Height of the still water in world coordinates, m.
@@ -119,6 +121,7 @@ impl SeaAppearance {
             hs_m: plan.hs_m(),
             surf_displacement_m: 0.0,
             peak_wavelength_m: TAU * plan.sea.gravity_m_s2 / (plan.omega_p * plan.omega_p).max(1e-6),
+            gravity_m_s2: plan.sea.gravity_m_s2,
             depth_m: plan.sea.depth_m,
             still_water_level_m: plan.sea.still_water_level_m,
             wind_m_s,
@@ -143,6 +146,7 @@ impl SeaAppearance {
             hs_m,
             surf_displacement_m: 0.0,
             peak_wavelength_m: 60.0,
+            gravity_m_s2: 9.81,
             depth_m: 4000.0,
             wind_m_s: 10.0,
             downwind: [1.0, 0.0],

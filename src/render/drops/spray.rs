@@ -4,6 +4,7 @@
 use super::grid_before_eye;
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::Scene;
+use std::f64::consts::TAU;
 
 /// Number of places along a side of a grid (`SPRAY_SIDE` in shaders/drops/spray.wgsl), and of grids.
 const SIDE: u32 = 96;
@@ -50,7 +51,7 @@ gpu_struct! {
         downwind: [f32; 2],
         /// Wind speed at the height of the spray, m/s.
         wind_m_s: f32,
-        /// Fraction of the puffs that are drawn, 0 to 1.
+        /// Fraction of the puffs of the open sea that are drawn, 0 to 1.
         share: f32,
         /// Speed of breaking crests, m/s.
         breaker_speed_m_s: f32,
@@ -59,6 +60,13 @@ gpu_struct! {
         /// Time in such periods: its whole part, and its fraction.
         moment: u32,
         moment_fraction: f32,
+        /// Fraction of the puffs of surf and of waves that burst on stone that are drawn, 0 to 1.
+        coast_share: f32,
+        /// Frequency of the waves at the peak of the spectrum, Hz.
+        peak_hz: f32,
+        /// Acceleration of gravity, m/s^2.
+        gravity_m_s2: f32,
+        unused: u32,
     }
 }
 
@@ -74,7 +82,9 @@ impl SprayUniform {
         let (sea, view) = (&scene.sea, &scene.view);
         let foam = &scene.look.surface.foam;
         let share = foam.spray * share_in_wind(sea.wind_m_s);
-        if share <= 0.0 || foam.coverage_factor <= 0.0 {
+        // Surf throws up drops in any wind.
+        let coast_share = if scene.has_coast { foam.spray } else { 0.0 };
+        if share.max(coast_share) <= 0.0 || foam.coverage_factor <= 0.0 {
             return None;
         }
         let levels = std::array::from_fn(|level| {
@@ -93,6 +103,10 @@ impl SprayUniform {
             puff_s: PUFF_S as f32,
             moment,
             moment_fraction,
+            coast_share: coast_share as f32,
+            peak_hz: (sea.gravity_m_s2 / (TAU * sea.peak_wavelength_m)).sqrt() as f32,
+            gravity_m_s2: sea.gravity_m_s2 as f32,
+            unused: 0,
         })
     }
 }

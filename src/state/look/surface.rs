@@ -145,8 +145,8 @@ parameters! {
         roughness: f64 = 0.8 => ("foamroughness", "Foam roughness", "", number(0.0, 1.0)),
         /// Height of the relief (bumps) of nearby foam; 1 is a few centimetres.
         relief: f64 = 1.0 => ("foamrelief", "Foam relief", "", number(0.0, 4.0), "flat"),
-        /// Spray that the wind tears off breaking crests, above 12 m/s and more in a stronger wind; 1 is typical.
-        /// A camera under water sees none.
+        /// Spray that the wind tears off breaking crests, above 12 m/s and more in a stronger wind, and that surf and
+        /// waves on stone throw up at a coast; 1 is typical. A camera under water sees none.
         spray: f64 = 0.0 => ("spray", "Spray", "", number(0.0, 1.0), "none"),
     }
 }
