@@ -52,7 +52,7 @@ const PICTURES: [&str; 29] = [
     "dive=0.1&afloat=buoy*12.5*-30",
     "coast=harbour&depth=10.9&sun=8&x=82&z=-59&y=7&heading=150",
     "coast=harbour&depth=10.9&sun=8&x=82&z=-59&y=7&heading=150&detail=lean",
-    "coast=beach&depth=12&sun=60&x=642&z=-110&y=8&heading=214",
+    "coast=beach&depth=12&sun=60&x=642&z=-110&y=8&heading=214&spray=1",
 ];
 
 #[derive(Default)]

@@ -40,12 +40,15 @@ const SHORE_CLIFF_SLOPES = 2.0;
 const SHORE_CLEAR_M = 0.35;
 // Depth of the water, m, from which waves keep their slopes: thinner water lies on the sand like the film beside it.
 const SHORE_THIN_M = 0.45;
-// Sunlight that comes from behind through the foam of a breaker's front, relative to that which falls on a plane
-// towards the sun, and stops of it between the thickest and the thinnest foam.
-const SHORE_FRONT_GLOW = 2.2;
-const SHORE_FRONT_GLOW_STOPS = 2.6;
-// Share of the irradiance by the whole sky that the sky around the sun sends there.
-const SHORE_FRONT_SKY = 0.8;
+// Light that comes from behind through the foam of a breaker's front, relative to that which falls on a plane towards the
+// sun, and stops of it between the thickest and the thinnest foam.
+const SHORE_FRONT_GLOW = 3.4;
+const SHORE_FRONT_GLOW_STOPS = 3.4;
+// Light of the sky that comes through with that of the sun, relative to the irradiance by the whole sky. It is bluer than
+// a low sun, and makes the foam white.
+const SHORE_FRONT_SKY = 3.0;
+// Part of that light that comes out of foam that lies level.
+const SHORE_FRONT_LEVEL = 0.4;
 // How much finer the pattern of a front near a coast is along its crest.
 const SHORE_FRONT_FINER = 2.0;
 // Part of the relief that fronts near a coast lose.
@@ -132,11 +135,11 @@ fn shore_soft_relief(look: FoamAppearance, fresh: f32, jacobian: f32) -> FoamApp
 
 // Radiance of the sunlight that comes towards `v` through the front of a breaker with the slope `slope`: `fresh` is the
 // part of the foam that belongs to fronts, and `grain` the height of its relief, around 0.5. Most comes through a front
-// that stands between the eye and the sun, and little out of foam that lies level.
+// that stands between the eye and the sun.
 fn shore_front_glow(v: vec3f, slope: vec2f, fresh: f32, grain: f32) -> vec3f {
   let l = frame.sun_direction;
   let behind = max(-dot(v, l), 0.0);
-  let stands = 0.2 + 0.8 * maths_smooth(5.0 * dot(slope, l.xz));
+  let stands = mix(SHORE_FRONT_LEVEL, 1.0, maths_smooth(5.0 * dot(slope, l.xz)));
   let through = SHORE_FRONT_GLOW * stands * fresh * behind * behind * saturate(8.0 * l.y);
   let relief = exp2(SHORE_FRONT_GLOW_STOPS * (clamp(grain, -0.4, 1.4) - 0.5));
   // The bright sky around the sun shines through it, too, which makes it whiter.
