@@ -111,13 +111,15 @@ fn puffs_of_surf_are_born_on_the_lip_and_stay_born_there() {
     assert!(own < 0.8 && fault > 2.0 * own, "{own} {fault}");
 }
 
-/// Number of pixels that spray changes in the picture of a state with a coast.
-fn sprayed(gpu: &Gpu, state: &str, transfer: &Arc<Transfer>) -> usize {
-    let picture = |more: &str| {
+/// Number of pixels that spray changes in the picture of a state with a coast. `ocean` keeps the pipelines.
+fn sprayed(gpu: &Gpu, ocean: &mut Option<Ocean>, state: &str) -> usize {
+    let waves = transfer(state);
+    let mut picture = |more: &str| {
         let params = common::params(&format!("{state}{more}&dither=0"));
-        let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &params);
-        assert!(ocean.set_coast(Some(transfer.clone())));
-        pollster::block_on(draw_ocean_picture(gpu, &mut ocean, [240, 135])).expect("a picture")
+        let ocean = ocean.get_or_insert_with(|| Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &params));
+        ocean.set_params(&params);
+        assert!(ocean.set_coast(Some(waves.clone())));
+        pollster::block_on(draw_ocean_picture(gpu, ocean, [240, 135])).expect("a picture")
     };
     let (without, with) = (picture(""), picture("&spray=1"));
     without.chunks(4).zip(with.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2)).count()
@@ -126,20 +128,18 @@ fn sprayed(gpu: &Gpu, state: &str, transfer: &Arc<Transfer>) -> usize {
 #[test]
 fn surf_throws_up_spray_in_any_wind_and_waves_burst_on_stone() {
     let gpu = common::gpu();
-    let look = "n=128&x=530&z=150&y=2.5&heading=215&pitch=1.5&fov=32&t=38";
-    let beach = |hs_m: f64| {
-        let state = format!("{}&{look}", BEACH.replace("hs2=1.5", &format!("hs2={hs_m}")));
-        sprayed(&gpu, &state, &transfer(&state))
-    };
-    let [high, low] = [1.8, 0.15].map(beach);
-    let breakwater = |hs_m: f64| {
+    let mut ocean = None;
+    let [high, low] = [1.8, 0.15].map(|hs_m| {
+        let sea = BEACH.replace("hs2=1.5", &format!("hs2={hs_m}"));
+        sprayed(&gpu, &mut ocean, &format!("{sea}&n=128&x=530&z=150&y=2.5&heading=215&pitch=1.5&fov=32&t=38"))
+    });
+    let [bursts, laps] = [2.6, 0.3].map(|hs_m| {
         let state = format!(
             "coast=harbour&depth=10.9&wind=3&fetch=10&dir=225&scale2=1&hs2={hs_m}&tp2=9&dir2=220&n=128&x=0&z=-5&y=4\
              &heading=97&pitch=2&fov=36&t=40"
         );
-        sprayed(&gpu, &state, &transfer(&state))
-    };
-    let [bursts, laps] = [2.6, 0.3].map(breakwater);
+        sprayed(&gpu, &mut ocean, &state)
+    });
     eprintln!("pixels with spray: surf {high}, small waves {low}; breakwater {bursts}, small waves {laps}");
     assert!(high > 500 && low == 0, "{high} {low}");
     assert!(bursts > 150 && laps == 0, "{bursts} {laps}");
