@@ -131,11 +131,11 @@ fn surf_throws_up_spray_in_any_wind_and_waves_burst_on_stone() {
     let mut ocean = None;
     let [high, low] = [1.8, 0.15].map(|hs_m| {
         let sea = BEACH.replace("hs2=1.5", &format!("hs2={hs_m}"));
-        sprayed(&gpu, &mut ocean, &format!("{sea}&n=128&x=530&z=150&y=2.5&heading=215&pitch=1.5&fov=32&t=38"))
+        sprayed(&gpu, &mut ocean, &format!("{sea}&n=256&x=530&z=150&y=2.5&heading=215&pitch=1.5&fov=32&t=38"))
     });
     let [bursts, laps] = [2.6, 0.3].map(|hs_m| {
         let state = format!(
-            "coast=harbour&depth=10.9&wind=3&fetch=10&dir=225&scale2=1&hs2={hs_m}&tp2=9&dir2=220&n=128&x=0&z=-5&y=4\
+            "coast=harbour&depth=10.9&wind=3&fetch=10&dir=225&scale2=1&hs2={hs_m}&tp2=9&dir2=220&n=256&x=0&z=-5&y=4\
              &heading=97&pitch=2&fov=36&t=40"
         );
         sprayed(&gpu, &mut ocean, &state)

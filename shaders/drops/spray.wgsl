@@ -15,7 +15,7 @@ const SPRAY_LEAST_SIDEWAYS = 0.5;
 // Exposure time over which a puff moves in the picture, s.
 const SPRAY_EXPOSURE_S = 0.02;
 // Distances from the eye over which puffs appear, m.
-const SPRAY_NEAR_M = vec2f(3.0, 12.0);
+const SPRAY_NEAR_M = vec2f(4.0, 18.0);
 // How much brighter the sunlit side of a puff is.
 const SPRAY_ROUNDNESS = 0.3;
 // Drifts in which puffs lie are noise of the layer of the foam's billows: how much faster they change upwards than

@@ -46,6 +46,8 @@ fn spray_lip(map: FrameCascade, place: vec2f, t: f32, phase: f32) -> SprayLip {
   out.velocity = sqrt(spray.gravity_m_s2 / wave_number * tanh(wave_number * depth_m)) * onshore;
   out.to_front = (SURF_FRONT_PHASE / wave_number) * onshore;
   out.now = place + t * out.velocity;
+  // On coarse maps the phase is not known, and surf has no form.
+  let known = 1.0 - maths_rise(wave_number / (frame.n * map.inverse_patch), SURF_COARSE);
   for (var step = 0u; step < SPRAY_LIP_STEPS; step++) {
     let half_amplitude = surf_sample(map, out.now).xy;
     let off = atan2(half_amplitude.y, half_amplitude.x) - phase;
@@ -54,7 +56,7 @@ fn spray_lip(map: FrameCascade, place: vec2f, t: f32, phase: f32) -> SprayLip {
       return out;
     }
     out.height_m = 4.0 * length(half_amplitude);
-    out.found = maths_rise(abs(off), SPRAY_LIP_MISSED);
+    out.found = known * maths_rise(abs(off), SPRAY_LIP_MISSED);
     if step + 1u < SPRAY_LIP_STEPS {
       out.now -= (off / wave_number) * onshore;
     }

@@ -13,6 +13,8 @@ const CEILING_FOAM_TRANSMITTANCE = 0.4;
 // the upper edge its surface stands upright.
 const CEILING_CAPILLARY_M = 0.0027;
 const CEILING_CLIMB_M = 0.0038;
+// Half the width of the bright line at its edge, relative to that height.
+const CEILING_EDGE = 0.07;
 // Share of the light that is left where the climbing water mirrors the dark rim of the lens.
 const CEILING_RIM_LIGHT = 0.35;
 
@@ -128,10 +130,10 @@ fn ceiling_blurred_sky(dir: vec3f) -> vec3f {
   return ceiling_sky(dir, mirrored_sky_layer(0.05));
 }
 
-// How the meniscus bends the ray `dir` at a height above the waterline, m. The height of a surface that hangs on a wall and its slope angle t
-// obey height^2 = 2 capillary length^2 (1 - cos t).
-fn ceiling_meniscus(dir: vec3f, height_m: f32) -> CeilingMeniscus {
-  let relative = height_m / CEILING_CAPILLARY_M;
+// How the meniscus bends the ray `dir` at the fraction `edge` of its height. `size` is the height of a pixel relative to
+// that. The height of a surface that hangs on a wall and its slope angle t obey height^2 = 2 capillary length^2 (1 - cos t).
+fn ceiling_meniscus(dir: vec3f, edge: f32, size: f32) -> CeilingMeniscus {
+  let relative = edge * (CEILING_CLIMB_M / CEILING_CAPILLARY_M);
   let level = max(1.0 - 0.5 * relative * relative, 0.0);
   let ahead = dir.xz * inverseSqrt(max(dot(dir.xz, dir.xz), 1e-6));
   let upright = sqrt(1.0 - level * level);
@@ -155,9 +157,9 @@ fn ceiling_meniscus(dir: vec3f, height_m: f32) -> CeilingMeniscus {
     out.sky = through * reflectance * ceiling_blurred_sky(vec3f(down.x, -down.y, down.z));
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     out.share = mix((1.0 - reflectance) * spread, out.share, turned_back);
-    // The edge on the glass is round and turns the rays of a narrow line up into the sky.
-    let edge = relative * (CEILING_CAPILLARY_M / CEILING_CLIMB_M);
-    let bright = maths_smooth(1.0 - abs(edge - 0.96) / 0.07);
+    // The edge on the glass is round and turns the rays of a narrow line up into the sky. A pixel averages it.
+    let width = max(CEILING_EDGE, size);
+    let bright = (CEILING_EDGE / width) * maths_smooth(1.0 - abs(edge - 0.96) / width);
     let lifted = normalize(vec3f(dir.x, dir.y + 0.4, dir.z));
     out.sky += 0.7 * bright * ceiling_blurred_sky(lifted);
     out.dir = normalize(mix(water_refract(down, vec3f(0.0, 1.0, 0.0)), mirrored, turned_back));

@@ -78,11 +78,33 @@ fn under_is_fold(pixel: vec2i, ray: vec3f) -> bool {
     && under_begins_alone(pixel - vec2i(0, rows), ray + step);
 }
 
+// Tiles of noise in a metre of the glass, in two layers; their mip level; and the mean height of the line relative to the
+// highest one, and the weights of both layers in it.
+const UNDER_GLASS_TILES_PER_M = vec2f(2.1, 7.3);
+const UNDER_GLASS_LOD = 3.0;
+const UNDER_GLASS = vec3f(0.66, 1.4, 0.6);
+// Least height of the line, relative to the highest one.
+const UNDER_GLASS_LEAST = 0.3;
+
+// Height of a row of pixels on the lens, m.
+fn under_row_m() -> f32 {
+  return frame.clip_from_relative[3].z * length(frame.up) * (2.0 / f32(textureDimensions(depth_map).y));
+}
+
+// Height to which water climbs the lens in a column of pixels, m: it climbs clean glass higher than greasy glass.
+fn under_climb_m(column: i32) -> f32 {
+  let at = (f32(column) * under_row_m()) * UNDER_GLASS_TILES_PER_M;
+  let wide = textureSampleLevel(noise_map, noise_sampler, vec2f(at.x, 0.37), 0, UNDER_GLASS_LOD).a - 0.5;
+  let fine = textureSampleLevel(noise_map, noise_sampler, vec2f(at.y, 0.81), 0, UNDER_GLASS_LOD).a - 0.5;
+  let share = UNDER_GLASS.x + UNDER_GLASS.y * wide + UNDER_GLASS.z * fine;
+  return CEILING_CLIMB_M * clamp(share, UNDER_GLASS_LEAST, 1.0);
+}
+
 // Height of a pixel in the air above the waterline on the lens, m; a large number where the line is not close below.
 fn under_height_above_line_m(pixel: vec2i, ray: vec3f) -> f32 {
   let rows = i32(textureDimensions(depth_map).y);
   let row = frame.up * (2.0 / f32(rows));
-  let row_m = frame.clip_from_relative[3].z * length(row);
+  let row_m = under_row_m();
   // The last row known to show air, and the first one known to show water, counted down from the pixel.
   var air = 0;
   var water = min(i32(ceil(CEILING_CLIMB_M / row_m)) + 1, rows - 2 - pixel.y);
@@ -156,9 +178,10 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   var squeeze = 0.0;
   if UNDER_SEES_AIR && !begins && abs(under_estimate_m(in.ray)) < UNDER_SURE_M {
     let height_m = under_height_above_line_m(pixel, in.ray);
-    is_climbing = height_m < CEILING_CLIMB_M;
+    let climb_m = under_climb_m(pixel.x);
+    is_climbing = height_m < climb_m;
     if is_climbing {
-      lens = ceiling_meniscus(dir_ahead, height_m);
+      lens = ceiling_meniscus(dir_ahead, height_m / climb_m, under_row_m() / climb_m);
       squeeze = maths_smooth(8.0 * distance(lens.dir, dir_ahead));
     }
   }

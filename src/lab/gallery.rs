@@ -62,7 +62,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         description: "Beaufort 10 over 800 km of open water, a significant height of 16 m: a crest breaks in the sun \
                       before a squall.",
         state: "v=2&wind=26&fetch=800&dir=270&seed=3&sun=14&sunaz=200&haze=0.3&overcast=0.35&clouds=stratocumulus\
-                &cloudcover=0.82&squalls=1&glints=1&gusts=1&spray=1&exposure=-0.6&bloom=0.04&y=2.5&heading=257&pitch=4\
+                &cloudcover=0.82&squalls=1&glints=1&gusts=1&spray=1&exposure=-0.6&bloom=0.04&y=2.5&heading=260&pitch=5\
                 &fov=25&t=34.1",
     },
     GalleryPicture {
