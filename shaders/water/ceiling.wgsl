@@ -16,7 +16,7 @@ const CEILING_CLIMB_M = 0.0038;
 // Half the width of the bright line at its edge, relative to that height.
 const CEILING_EDGE = 0.07;
 // Share of the light that is left where the climbing water mirrors the dark rim of the lens.
-const CEILING_RIM_LIGHT = 0.35;
+const CEILING_RIM_LIGHT = 0.65;
 
 // Where the light comes from that an eye under water sees in a facet of the surface: refracted from above, or reflected
 // from below.

@@ -80,11 +80,11 @@ fn under_is_fold(pixel: vec2i, ray: vec3f) -> bool {
 
 // Tiles of noise in a metre of the glass, in two layers; their mip level; and the mean height of the line relative to the
 // highest one, and the weights of both layers in it.
-const UNDER_GLASS_TILES_PER_M = vec2f(2.1, 7.3);
-const UNDER_GLASS_LOD = 3.0;
-const UNDER_GLASS = vec3f(0.66, 1.4, 0.6);
+const UNDER_GLASS_TILES_PER_M = vec2f(1.7, 4.3);
+const UNDER_GLASS_LOD = 4.0;
+const UNDER_GLASS = vec3f(0.6, 2.4, 1.0);
 // Least height of the line, relative to the highest one.
-const UNDER_GLASS_LEAST = 0.3;
+const UNDER_GLASS_LEAST = 0.2;
 
 // Height of a row of pixels on the lens, m.
 fn under_row_m() -> f32 {
