@@ -6,13 +6,11 @@ mod common;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};
 use seastate::app::App;
-use seastate::coast::PlacedCoast;
-use seastate::coast::transfer::{StatisticsSolver, TransferLimits, TransferSolver};
+use seastate::coast::transfer::StatisticsSolver;
 use seastate::files::netcdf::Dataset;
 use seastate::point::StrongestWaves;
 use seastate::waves::Plan;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// Records of half an hour of the drawn sea have the wave height that its statistics give, on the way up to the shore.
 /// The open sea's height would be wrong near the shore.
@@ -26,9 +24,7 @@ fn records_of_the_drawn_sea_have_the_height_of_the_map() {
         let state = format!("coast=beach&depth=12&hs=2&tp=9&dir=255&n=64&order=1&chop=0&seed={seed}");
         let params = common::params(&state);
         let plan = Plan::new(&params);
-        let coast = PlacedCoast::of_state(&params.coast, None).expect("a coast").expect("a place");
-        let limits = TransferLimits { max_waves: 120, points: 64, ..TransferLimits::default() };
-        let transfer = Arc::new(TransferSolver::new(&plan, &coast, &limits).finish());
+        let transfer = common::coast_transfer(&params, 120, 64);
         let found = StatisticsSolver::new(transfer.clone(), &plan).expect("the same lattice").finish();
         let sea = StrongestWaves::new(&plan, 1500).with_coast(&plan, &transfer);
         open += found.open_hs_m().powi(2) / f64::from(SEEDS);

@@ -4,15 +4,13 @@
 mod common;
 
 use common::wgsl;
-use seastate::coast::transfer::{TransferLimits, TransferSolver};
-use seastate::coast::{PlacedCoast, Transfer};
+use seastate::coast::Transfer;
 use seastate::gpu::Gpu;
 use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::render;
 use seastate::shaders::Shaders;
-use seastate::sim::MAX_FOAM_STEPS;
-use seastate::waves::{Plan, noise};
+use seastate::waves::noise;
 use std::sync::Arc;
 use wgpu::BindingResource::{Sampler, TextureView};
 
@@ -20,10 +18,7 @@ const BEACH: &str = "coast=beach&depth=12&wind=3&fetch=10&dir=255&scale2=1&hs2=1
 
 /// The waves at the coast of a state.
 fn transfer(state: &str) -> Arc<Transfer> {
-    let params = common::params(state);
-    let coast = PlacedCoast::of_state(&params.coast, None).expect("a coast").expect("a place");
-    let limits = TransferLimits { max_waves: 60, points: 64, ..TransferLimits::default() };
-    Arc::new(TransferSolver::new(&Plan::new(&params), &coast, &limits).finish())
+    common::coast_transfer(&common::params(state), 60, 64)
 }
 
 /// The lip near the place q[0].xy, q[0].z seconds after the birth of a puff there: where it was at the birth, whether it was
@@ -52,13 +47,7 @@ fn lips(
     t_s: f64,
     age_s: f32,
 ) -> Vec<[[f64; 4]; 2]> {
-    let mut params = common::params(&format!("{BEACH}&n=256"));
-    (params.camera.x_m, params.camera.z_m) = (eye[0], eye[1]);
-    let mut ocean = Ocean::new(gpu, wgpu::TextureFormat::Rgba8Unorm, OutputKind::Screen, &params);
-    assert!(ocean.set_coast(Some(transfer.clone())));
-    let mut encoder = gpu.encoder("test");
-    ocean.simulation().encode(gpu, &mut encoder, t_s, eye, MAX_FOAM_STEPS);
-    gpu.submit(encoder);
+    let ocean = common::ocean_at_coast(gpu, &format!("{BEACH}&n=256"), transfer, eye, t_s);
     let maps = ocean.maps();
     let frame = render::frame_uniform(&ocean.scene([640, 360]), maps, [640, 360]);
     let frame = wgsl::buffer(gpu, bytemuck::bytes_of(&frame), wgpu::BufferUsages::UNIFORM);

@@ -3,8 +3,7 @@
 
 mod common;
 
-use seastate::coast::transfer::{TransferLimits, TransferSolver};
-use seastate::coast::{PlacedCoast, Transfer};
+use seastate::coast::Transfer;
 use seastate::point::StrongestWaves;
 use seastate::point::floating::{HullWaves, hull_pose};
 use seastate::point::kinematics::WaterMotion;
@@ -21,9 +20,7 @@ const STATE: &str = "coast=beach&depth=12&hs=1.5&tp=9&dir=250&n=64&cascades=2&or
 fn sea(state: &str) -> (Plan, Arc<Transfer>) {
     let params = common::params(state);
     let plan = Plan::new(&params);
-    let coast = PlacedCoast::of_state(&params.coast, None).expect("a coast").expect("a place");
-    let limits = TransferLimits { max_waves: 30, points: 80, ..TransferLimits::default() };
-    (plan.clone(), Arc::new(TransferSolver::new(&plan, &coast, &limits).finish()))
+    (plan, common::coast_transfer(&params, 30, 80))
 }
 
 /// The value of a half float.

@@ -4,15 +4,12 @@
 mod common;
 
 use common::wgsl;
-use seastate::coast::transfer::{TransferLimits, TransferSolver};
-use seastate::coast::{PlacedCoast, Transfer};
+use seastate::coast::Transfer;
 use seastate::gpu::Gpu;
-use seastate::ocean::{Ocean, OutputKind};
 use seastate::oracle::coast::{CoastPoint, height_over_breaking, roller};
 use seastate::render;
 use seastate::shaders::Shaders;
-use seastate::sim::MAX_FOAM_STEPS;
-use seastate::waves::{Plan, noise};
+use seastate::waves::noise;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 use wgpu::BindingResource::{Sampler, TextureView};
@@ -163,13 +160,7 @@ const STATE: &str = "coast=beach&depth=12&wind=3&fetch=10&dir=255&scale2=1&hs2=1
 
 /// Motions of points around `eye`: displacement, its differences along x and z, and its derivatives along x and z.
 fn motions(gpu: &Gpu, shaders: &Shaders, transfer: &Arc<Transfer>, eye: [f64; 2]) -> Vec<[[f64; 4]; 5]> {
-    let mut params = common::params(STATE);
-    (params.camera.x_m, params.camera.z_m) = (eye[0], eye[1]);
-    let mut ocean = Ocean::new(gpu, wgpu::TextureFormat::Rgba8Unorm, OutputKind::Screen, &params);
-    assert!(ocean.set_coast(Some(transfer.clone())));
-    let mut encoder = gpu.encoder("test");
-    ocean.simulation().encode(gpu, &mut encoder, 40.0, eye, MAX_FOAM_STEPS);
-    gpu.submit(encoder);
+    let ocean = common::ocean_at_coast(gpu, STATE, transfer, eye, 40.0);
     let scene = ocean.scene([640, 360]);
     let maps = ocean.maps();
     let frame = render::frame_uniform(&scene, maps, [640, 360]);
@@ -203,11 +194,7 @@ fn error(motions: &[[[f64; 4]; 5]]) -> f64 {
 fn surf_moves_as_its_slopes_tell_and_small_waves_do_not() {
     let gpu = common::gpu();
     let shaders = wgsl::shaders();
-    let params = common::params(STATE);
-    let plan = Plan::new(&params);
-    let coast = PlacedCoast::of_state(&params.coast, None).expect("a coast").expect("a place");
-    let limits = TransferLimits { max_waves: 120, points: 100, ..TransferLimits::default() };
-    let transfer = Arc::new(TransferSolver::new(&plan, &coast, &limits).finish());
+    let transfer = common::coast_transfer(&common::params(STATE), 120, 100);
     let surf = motions(&gpu, &shaders, &transfer, [470.0, 150.0]);
     let moving = surf.iter().filter(|m| m[0] != [0.0; 4]).count();
     let most = surf.iter().map(|m| m[0][0].hypot(m[0][2])).fold(0.0, f64::max);

@@ -43,8 +43,8 @@ struct SprayFragment {
   @location(0) at: vec2f,
   // Texture coordinates of the drifts, which neighbouring puffs share.
   @location(1) drift: vec2f,
-  // Texture coordinates of the puff's own noise in its middle, and their change over half the quad along and across.
-  @location(2) @interpolate(flat) noise: vec4f,
+  // Texture coordinates of the puff's own noise in its middle.
+  @location(2) @interpolate(flat) noise: vec2f,
   // Mip levels of drifts (x) and of the puff's own noise (y), contrast of the latter (z), and its inverse mean (w).
   @location(3) @interpolate(flat) sharp: vec4f,
   // Radiance behind the air, and the optical depth in the middle.
@@ -128,10 +128,8 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) i: u32) -
   out.at = at;
   out.drift = spray_drift(vec3f(point.x, point.y + frame.eye_height_m, point.z));
   let pixel_m = distance_m * frame.pixel_angle;
-  let scale = SPRAY_NOISE_TILES;
-  // The noise is drawn out as the puff is: the wind tears mist to threads.
-  out.noise = vec4f(random.wx, vec2f(scale));
-  let lod = max(log2(512.0 * scale * pixel_m / high_m), 0.0);
+  out.noise = random.wx;
+  let lod = max(log2(512.0 * SPRAY_NOISE_TILES * pixel_m / high_m), 0.0);
   let drift_lod = max(log2(pixel_m) + material.noise_layers[FOAM_BILLOW_LAYER].log_texels_per_m, 0.0);
   let contrast = select(SPRAY_CONTRAST.x, SPRAY_CONTRAST.y, puff.is_coarse);
   // Means of the exponentials of even noise fall to 1 as pixels grow and the mip levels of the noise become even.
@@ -156,7 +154,9 @@ fn spray_mean(contrast: f32) -> f32 {
 @fragment
 fn fragment(in: SprayFragment) -> @location(0) vec4f {
   let drift = textureSampleLevel(noise_map, noise_sampler, in.drift, 0, in.sharp.x).b - 0.5;
-  let own = textureSampleLevel(noise_map, noise_sampler, in.noise.xy + in.at * in.noise.zw, 0, in.sharp.y).b - 0.5;
+  // The noise is drawn out as the puff is: the wind tears mist to threads.
+  let own_at = in.noise + SPRAY_NOISE_TILES * in.at;
+  let own = textureSampleLevel(noise_map, noise_sampler, own_at, 0, in.sharp.y).b - 0.5;
   let drops_at = in.noise.yx + in.at * in.contrast.z;
   let drops = 0.5 - textureSampleLevel(noise_map, noise_sampler, drops_at, 0, SPRAY_DROP_LOD).g;
   // Where the noise is low, the puff reaches less far, so that its edge is torn and not a circle.

@@ -14,12 +14,7 @@ const SPRAY_LIP_MISSED = vec2f(0.45, 0.15);
 const SPRAY_LIP_SPEED = vec2f(0.63, 0.36);
 // Speeds of drops thrown up, relative to that of water that falls as deep as the wave is high.
 const SPRAY_SURF_JET = vec2f(0.05, 0.5);
-// Share of puffs of coarse drops; optical depth, size and length of puffs; and contrast of drifts (SprayBirth).
-const SPRAY_SURF_COARSE = 1.0;
-const SPRAY_SURF_THICKNESS = 0.5;
-const SPRAY_SURF_SIZE = 0.9;
-const SPRAY_SURF_STRETCH = 2.2;
-const SPRAY_COAST_DRIFTS = 1.0;
+const SPRAY_OF_SURF = SprayKind(SPRAY_DROPS_RELAXATION_S, 1.0, 0.5, 0.9, 2.2, 1.0);
 
 // The lip of a wave.
 struct SprayLip {
@@ -40,14 +35,11 @@ struct SprayLip {
 fn spray_lip(map: FrameCascade, place: vec2f, t: f32, phase: f32) -> SprayLip {
   var out: SprayLip;
   let wave = surf_wave(map, place);
-  let depth_m = max(wave.here.w, SURF_LEAST_DEPTH_M);
-  let wave_number = max(length(wave.turn), SURF_LEAST_WAVE_NUMBER * inverseSqrt(depth_m));
+  let wave_number = wave.wave_number;
   let onshore = wave.turn / wave_number;
-  out.velocity = sqrt(spray.gravity_m_s2 / wave_number * tanh(wave_number * depth_m)) * onshore;
+  out.velocity = sqrt(spray.gravity_m_s2 / wave_number * tanh(wave_number * wave.depth_m)) * onshore;
   out.to_front = (SURF_FRONT_PHASE / wave_number) * onshore;
   out.now = place + t * out.velocity;
-  // On coarse maps the phase is not known, and surf has no form.
-  let known = 1.0 - maths_rise(wave_number / (frame.n * map.inverse_patch), SURF_COARSE);
   for (var step = 0u; step < SPRAY_LIP_STEPS; step++) {
     let half_amplitude = surf_sample(map, out.now).xy;
     let off = atan2(half_amplitude.y, half_amplitude.x) - phase;
@@ -56,7 +48,7 @@ fn spray_lip(map: FrameCascade, place: vec2f, t: f32, phase: f32) -> SprayLip {
       return out;
     }
     out.height_m = 4.0 * length(half_amplitude);
-    out.found = known * maths_rise(abs(off), SPRAY_LIP_MISSED);
+    out.found = wave.known * maths_rise(abs(off), SPRAY_LIP_MISSED);
     if step + 1u < SPRAY_LIP_STEPS {
       out.now -= (off / wave_number) * onshore;
     }
@@ -87,12 +79,7 @@ fn spray_birth_of_surf(map: FrameCascade, gain: f32, place: vec2f, t: f32, rando
   out.moved = spray_moved(lip.now, SPRAY_LEAST_SPACING_M) + vec3f(gathered.x, 0.0, gathered.y);
   out.velocity = (SPRAY_LIP_SPEED.x + SPRAY_LIP_SPEED.y * random.w) * lip.velocity;
   out.jet_m_s = sqrt(2.0 * spray.gravity_m_s2 * gain * lip.height_m) * SPRAY_SURF_JET;
-  out.relaxation_s = SPRAY_RELAXATION_S;
-  out.coarse_share = SPRAY_SURF_COARSE;
-  out.thickness = SPRAY_SURF_THICKNESS;
-  out.size = SPRAY_SURF_SIZE;
-  out.stretch = SPRAY_SURF_STRETCH;
-  out.drifts = SPRAY_COAST_DRIFTS;
+  out.kind = SPRAY_OF_SURF;
   return out;
 }
 
@@ -110,20 +97,12 @@ const SPRAY_BURST_DEPTH_M = vec2f(0.6, 2.4);
 const SPRAY_BURST_MISSED_M = vec2f(2.0, 1.0);
 // Part of a period before and after the arrival of a crest in which it bursts.
 const SPRAY_BURST_TURNS = 0.12;
-// Speeds of water thrown up, relative to that of water that falls as deep as the crest is high, and the time in which
-// sheets of it take on the speed of the air, s.
+// Speeds of water thrown up, relative to that of water that falls as deep as the crest is high.
 const SPRAY_BURST_JET = vec2f(0.73, 3.2);
-const SPRAY_BURST_RELAXATION_S = 0.9;
 // Speed away from the stone, m/s: least, and how much more it is at most.
 const SPRAY_BURST_BACK_M_S = vec2f(0.4, 1.2);
-const SPRAY_BURST_COARSE = 1.0;
-const SPRAY_BURST_THICKNESS = 7.0;
-const SPRAY_BURST_SIZE = 1.6;
-const SPRAY_BURST_STRETCH = 2.0;
-// Width of the ground, m, by whose mean slope rock is told from a beach, and distance before stone, m, at which waves
-// are read, as for the collar of foam (SHORE_CLIFF_M and SHORE_BEFORE_STONE_M in shaders/water/shore.wgsl).
-const SPRAY_CLIFF_M = 24.0;
-const SPRAY_BEFORE_STONE_M = 12.0;
+// Sheets of water keep their speed longer than drops.
+const SPRAY_OF_BURST = SprayKind(0.9, 1.0, 7.0, 1.6, 2.0, 1.0);
 
 // The birth, `t` seconds ago, of a puff at the undisplaced place `place`, where a crest meets stone.
 fn spray_birth_at_stone(map: FrameCascade, place: vec2f, t: f32, random: vec4f) -> SprayBirth {
@@ -139,13 +118,12 @@ fn spray_birth_at_stone(map: FrameCascade, place: vec2f, t: f32, random: vec4f) 
   let foot = place + gathered;
   let foot_place = land_place(foot);
   let ground = land_at(foot_place, 0.0);
-  let around = land_at(foot_place, land_lod(SPRAY_CLIFF_M));
-  let hard = max(land_built_share(ground), land_rock_share(2.0 * length(around.yz)));
+  let hard = max(land_built_share(ground), land_cliff_share(foot_place, 0.0));
   out.torn = hard * maths_rise(abs(ground.x + depth_m), SPRAY_BURST_MISSED_M);
   if out.torn <= SPRAY_LEAST_TORN {
     return out;
   }
-  let before = foot - SPRAY_BEFORE_STONE_M * up;
+  let before = foot - LAND_BEFORE_STONE_M * up;
   let gains = coast_at(before);
   let half_amplitude = surf_sample(map, before).xy;
   let crest_m = 2.0 * gains.z * length(half_amplitude);
@@ -159,12 +137,7 @@ fn spray_birth_at_stone(map: FrameCascade, place: vec2f, t: f32, random: vec4f) 
   out.moved = vec3f(gathered.x, crest_m, gathered.y);
   out.velocity = -(SPRAY_BURST_BACK_M_S.x + SPRAY_BURST_BACK_M_S.y * random.w) * up;
   out.jet_m_s = (throat * sqrt(2.0 * spray.gravity_m_s2 * crest_m)) * SPRAY_BURST_JET;
-  out.relaxation_s = SPRAY_BURST_RELAXATION_S;
-  out.coarse_share = SPRAY_BURST_COARSE;
-  out.thickness = SPRAY_BURST_THICKNESS;
-  out.size = SPRAY_BURST_SIZE;
-  out.stretch = SPRAY_BURST_STRETCH;
-  out.drifts = SPRAY_COAST_DRIFTS;
+  out.kind = SPRAY_OF_BURST;
   return out;
 }
 

@@ -9,8 +9,6 @@
 const SPRAY_LEAST_TORN = 0.001;
 // Least length over which the waves that throw up spray are filtered, m.
 const SPRAY_LEAST_SPACING_M = 0.5;
-// Share of puffs of coarse drops in the open sea.
-const SPRAY_COARSE_SHARE = 0.25;
 // Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
 const SPRAY_OPTICAL_DEPTH = vec2f(1.1, 0.4);
 // Range of the front of a breaker over which it throws up spray.
@@ -18,15 +16,29 @@ const SPRAY_FRONT_RANGE = vec2f(0.3, 0.8);
 // Speeds of coarse drops that a crest of the open sea throws up, m/s, relative to the root of the significant wave
 // height, m.
 const SPRAY_JET = vec2f(0.3, 0.9);
-// Time in which coarse drops take on the speed of the air, s.
-const SPRAY_RELAXATION_S = 0.45;
 // Highest speed at which eddies behind the crest lift mist, relative to that of the wind.
 const SPRAY_LIFT = 0.02;
 // Fraction of the light that reaches a puff at the root of the spray.
 const SPRAY_ROOT_LIGHT = 0.5;
-// Length of puffs of coarse drops of the open sea relative to their width, and contrast of drifts there (SprayBirth).
-const SPRAY_SEA_STRETCH = 1.3;
-const SPRAY_SEA_DRIFTS = 4.0;
+
+// What the puffs of one origin have in common.
+struct SprayKind {
+  // Time in which coarse drops take on the speed of the air, s.
+  relaxation_s: f32,
+  // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
+  coarse_share: f32,
+  // Optical depth and size of a puff, relative to those in the open sea.
+  thickness: f32,
+  size: f32,
+  // Length of a puff of coarse drops, relative to its width.
+  stretch: f32,
+  // Contrast, in stops, of the drifts in which puffs lie.
+  drifts: f32,
+}
+
+// Time in which single drops take on the speed of the air, s.
+const SPRAY_DROPS_RELAXATION_S = 0.45;
+const SPRAY_OF_SEA = SprayKind(SPRAY_DROPS_RELAXATION_S, 0.25, 1.0, 1.0, 1.3, 4.0);
 
 // Values of the foam map at an undisplaced position: foam, source, front and plume. The finest level is left out: its
 // smallest fronts move more slowly than the large ones that throw up spray.
@@ -59,19 +71,9 @@ struct SprayBirth {
   velocity: vec2f,
   // Lowest and highest speed at which coarse drops are thrown upwards, m/s.
   jet_m_s: vec2f,
-  // Time in which coarse drops take on the speed of the air, s: sheets of water keep theirs longer than drops.
-  relaxation_s: f32,
-  // Share of puffs of coarse drops, which fly in an arc; the others are mist that the wind takes along.
-  coarse_share: f32,
-  // Optical depth of a puff, relative to that in the open sea.
-  thickness: f32,
-  // Size of a puff, relative to that in the open sea, and length of a puff of coarse drops relative to its width.
-  size: f32,
-  stretch: f32,
-  // Contrast, in stops, of the drifts in which puffs lie.
-  drifts: f32,
   // Part of the full spray, 0 to 1.
   torn: f32,
+  kind: SprayKind,
 }
 
 struct SprayPuff {
@@ -105,12 +107,7 @@ fn spray_birth_at_sea(level: u32, place: vec2f, t: f32, random: vec4f, chance: f
   out.moved = spray_moved(ahead, max(spray.levels[level].cell_m, SPRAY_LEAST_SPACING_M));
   out.velocity = (spray.breaker_speed_m_s * (0.8 + 0.5 * random.w)) * spray.downwind;
   out.jet_m_s = SPRAY_JET * sqrt(frame.hs_m);
-  out.relaxation_s = SPRAY_RELAXATION_S;
-  out.coarse_share = SPRAY_COARSE_SHARE;
-  out.thickness = 1.0;
-  out.size = 1.0;
-  out.stretch = SPRAY_SEA_STRETCH;
-  out.drifts = SPRAY_SEA_DRIFTS;
+  out.kind = SPRAY_OF_SEA;
   return out;
 }
 
@@ -119,9 +116,9 @@ fn spray_birth_at_sea(level: u32, place: vec2f, t: f32, random: vec4f, chance: f
 fn spray_puff(birth: SprayBirth, place: vec2f, cell_m: f32, age: f32, random: vec4f, more: vec4f) -> SprayPuff {
   var out: SprayPuff;
   let t = age * spray.puff_s;
-  let is_coarse = more.x < birth.coarse_share;
+  let is_coarse = more.x < birth.kind.coarse_share;
   // Time in which drops take on the speed of the air, and their fall speed.
-  let relaxation_s = select(0.12 + 0.25 * more.y, birth.relaxation_s, is_coarse);
+  let relaxation_s = select(0.12 + 0.25 * more.y, birth.kind.relaxation_s, is_coarse);
   let fall = select(0.3 + 0.5 * more.y, 3.0 + 2.0 * more.y, is_coarse);
   let across = vec2f(-spray.downwind.y, spray.downwind.x);
   let thrown_up = mix(birth.jet_m_s.x, birth.jet_m_s.y, more.z * more.z);
@@ -136,15 +133,15 @@ fn spray_puff(birth: SprayBirth, place: vec2f, cell_m: f32, age: f32, random: ve
   let change = vec3f(start.x, jet, start.y) - rest;
   out.position = vec3f(place.x, 0.0, place.y) + birth.moved + rest * t + change * (relaxation_s * (1.0 - left));
   out.velocity = rest + change * left;
-  out.drifts = birth.drifts;
+  out.drifts = birth.kind.drifts;
   out.is_coarse = is_coarse;
   // Drops of all sizes are thrown up: some puffs are veils of fine ones, which are thinner.
   out.drops = select(0.0, more.w, is_coarse);
   // Turbulence widens a puff, which thins.
-  let young_m = (birth.size * cell_m) * select(0.35 + 0.4 * random.z, 0.25 + 0.35 * random.z, is_coarse);
+  let young_m = (birth.kind.size * cell_m) * select(0.35 + 0.4 * random.z, 0.25 + 0.35 * random.z, is_coarse);
   let growth = select(0.6 + 1.9 * sqrt(age), 0.7 + 1.0 * age, is_coarse);
   out.radius_m = young_m * growth;
-  out.stretch = select(2.2 + 4.0 * age, birth.stretch, is_coarse);
+  out.stretch = select(2.2 + 4.0 * age, birth.kind.stretch, is_coarse);
   out.open = mix(SPRAY_ROOT_LIGHT, 1.0, maths_smooth(3.0 * age));
   let life = maths_smooth(age * 8.0) * pow(1.0 - age, select(2.5, 2.0, is_coarse));
   let depths = select(SPRAY_OPTICAL_DEPTH.x, SPRAY_OPTICAL_DEPTH.y, is_coarse);
@@ -152,6 +149,6 @@ fn spray_puff(birth: SprayBirth, place: vec2f, cell_m: f32, age: f32, random: ve
   // The higher drops are thrown, the fewer they are. Those that fall below the water from which they came are in it.
   let thrown = (1.0 - 0.75 * more.z * more.z) * (0.4 + 0.6 * more.w) * maths_smooth(1.0 + 2.0 * flight);
   let thinned = select(1.0 - 0.7 * random.z * random.z, thrown, is_coarse);
-  out.optical_depth = (birth.thickness * depths) * birth.torn * life * thinned / (growth * growth);
+  out.optical_depth = (birth.kind.thickness * depths) * birth.torn * life * thinned / (growth * growth);
   return out;
 }

@@ -48,6 +48,20 @@ fn land_rock_share(steep: f32) -> f32 {
   return maths_rise(steep, LAND_ROCK_SLOPES);
 }
 
+// Width of the ground, m, by whose mean slope the foot of a cliff is told from a beach, and the factor on that slope:
+// half of this ground is level bed.
+const LAND_CLIFF_FOOT_M = 24.0;
+const LAND_CLIFF_FOOT_SLOPES = 2.0;
+// Distance before stone, m, at which the waves that wash it are read: nearer, the map's texels average their run-up with
+// that of the land.
+const LAND_BEFORE_STONE_M = 12.0;
+
+// Share of rock at a place that may be the foot of a cliff, over texels of `size` metres.
+fn land_cliff_share(place: vec2f, size: f32) -> f32 {
+  let around = land_at(place, land_lod(max(LAND_CLIFF_FOOT_M, size)));
+  return land_rock_share(LAND_CLIFF_FOOT_SLOPES * length(around.yz));
+}
+
 // Share of blocks or concrete in the ground. `map` is that of land_at.
 fn land_built_share(map: vec4f) -> f32 {
   return saturate(4.0 * abs(map.w) - 1.0);

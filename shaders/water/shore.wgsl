@@ -29,13 +29,6 @@ const SHORE_COLLAR_DEPTH = 3.4;
 const SHORE_COLLAR_CHURNED = 0.9;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
-// Distance before stone, m, at which the run-up of the waves that wash it is read: nearer, the map's texels average the
-// run-up with that of the land.
-const SHORE_BEFORE_STONE_M = 12.0;
-// Width of the ground, m, by whose mean slope the foot of a cliff is told from a beach, and the factor on that slope:
-// half of this ground is level bed.
-const SHORE_CLIFF_M = 24.0;
-const SHORE_CLIFF_SLOPES = 2.0;
 // Depth of the water, m, up to which it is too thin for a cloud of bubbles: the sand shows through.
 const SHORE_CLEAR_M = 0.35;
 // Depth of the water, m, from which waves keep their slopes: thinner water lies on the sand like the film beside it.
@@ -102,8 +95,7 @@ fn shore_hardness(ground: vec4f, place: vec2f, size: f32) -> f32 {
   if -ground.x > land.run_up_m {
     return built;
   }
-  let around = land_at(place, land_lod(max(SHORE_CLIFF_M, size)));
-  return max(built, land_rock_share(SHORE_CLIFF_SLOPES * length(around.yz)));
+  return max(built, land_cliff_share(place, size));
 }
 
 // Foam of a pixel with `cover` more of it, whose youth is `young` and of which the part `fresh` is a front. It lies
@@ -151,7 +143,7 @@ fn shore_front_glow(v: vec3f, slope: vec2f, fresh: f32, grain: f32) -> vec3f {
 // that they have in shore_add_lace.
 fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, height: f32) -> FoamAmount {
   let down = ground.yz * inverseSqrt(max(dot(ground.yz, ground.yz), 1e-4));
-  let run_up = max(shore_run_up_m(at - SHORE_BEFORE_STONE_M * land_to_world(down)), 1e-3);
+  let run_up = max(shore_run_up_m(at - LAND_BEFORE_STONE_M * land_to_world(down)), 1e-3);
   // The collar grows with a crest that runs up the stone, and what it leaves is drawn out by the trough.
   let reach = SHORE_COLLAR_DEPTH * run_up * (1.0 + clamp(height / run_up, -0.8, 1.0));
   let near = saturate(1.0 + ground.x / reach);

@@ -81,6 +81,11 @@ struct SurfWave {
   // Changes of the phase along x and z, rad/m, and of the amplitude, relative to it, 1/m.
   turn: vec2f,
   growth: vec2f,
+  // Depth, m, and wave number, rad/m, within the bounds of the formulas.
+  depth_m: f32,
+  wave_number: f32,
+  // Whether the map is fine enough to tell the phase, 0 to 1.
+  known: f32,
 }
 
 // The layer behind that of a coast's waves at an undisplaced position relative to the point below the eye, m.
@@ -100,7 +105,11 @@ fn surf_wave(map: FrameCascade, at: vec2f) -> SurfWave {
   let along_z = surf_change(
     surf_half_amplitude(map.layer, uv - texel.yx), here.xy, surf_half_amplitude(map.layer, uv + texel.yx),
     texels_per_m);
-  return SurfWave(here, vec2f(along_x.x, along_z.x), vec2f(along_x.y, along_z.y));
+  let turn = vec2f(along_x.x, along_z.x);
+  let depth_m = max(here.w, SURF_LEAST_DEPTH_M);
+  let wave_number = max(length(turn), SURF_LEAST_WAVE_NUMBER * inverseSqrt(depth_m));
+  let known = 1.0 - maths_rise(wave_number / texels_per_m, SURF_COARSE);
+  return SurfWave(here, turn, vec2f(along_x.y, along_z.y), depth_m, wave_number, known);
 }
 
 // Motion of the water at an undisplaced position relative to the point below the eye, m, where waves come ashore.
@@ -117,15 +126,14 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
     }
     let wave = surf_wave(map, at);
     let height_m = 4.0 * gain * length(wave.here.xy);
-    let depth_m = max(wave.here.w, SURF_LEAST_DEPTH_M);
-    let wave_number = max(length(wave.turn), SURF_LEAST_WAVE_NUMBER * inverseSqrt(depth_m));
+    let wave_number = wave.wave_number;
     let onshore = wave.turn / wave_number;
-    let ursell = 0.375 * height_m / (wave_number * wave_number * depth_m * depth_m * depth_m);
+    let ursell = 0.375 * height_m / (wave_number * wave_number * wave.depth_m * wave.depth_m * wave.depth_m);
     if ursell < SURF_LEAST_URSELL {
       continue;
     }
     var form = surf_form(ursell, gain * wave.here.z, height_m * wave_number);
-    form = mix(form, vec2f(0.0, 1.0), maths_rise(wave_number / (frame.n * map.inverse_patch), SURF_COARSE));
+    form = mix(vec2f(0.0, 1.0), form, wave.known);
     form.x *= mix(SURF_AT_EYE, 1.0, maths_rise(length(at), SURF_BESIDE_EYE_M));
     let phase = atan2(wave.here.y, wave.here.x);
     let shape = surf_shape(phase, form);

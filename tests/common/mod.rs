@@ -5,18 +5,21 @@ pub mod harness;
 pub mod skies;
 pub mod wgsl;
 
+use seastate::coast::transfer::{TransferLimits, TransferSolver};
+use seastate::coast::{PlacedCoast, Transfer};
 use seastate::files::measured::{DirectionalParameters, MeasuredSpectrum};
 use seastate::gpu::map_format::MapFormat;
 use seastate::gpu::{Gpu, device};
 use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::shaders::Shaders;
-use seastate::sim::{MapsF32, Simulation};
+use seastate::sim::{MAX_FOAM_STEPS, MapsF32, Simulation};
 use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
 use seastate::waves::noise::pcg4d;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 pub fn gpu() -> Gpu {
     pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers")
@@ -80,6 +83,25 @@ impl Pictures {
         let bytes = pollster::block_on(draw_ocean_picture(&self.gpu, ocean, size)).expect("a picture");
         bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
     }
+}
+
+/// The waves at the coast of a sea: of `max_waves` components, solved on a grid of `points` a side.
+pub fn coast_transfer(params: &Params, max_waves: usize, points: usize) -> Arc<Transfer> {
+    let coast = PlacedCoast::of_state(&params.coast, None).expect("a coast").expect("a place");
+    let limits = TransferLimits { max_waves, points, ..TransferLimits::default() };
+    Arc::new(TransferSolver::new(&Plan::new(params), &coast, &limits).finish())
+}
+
+/// A sea with the waves at its coast, whose maps are those of the time `t_s` around `eye` (x, z), m.
+pub fn ocean_at_coast(gpu: &Gpu, state: &str, transfer: &Arc<Transfer>, eye: [f64; 2], t_s: f64) -> Ocean {
+    let mut params = params(state);
+    (params.camera.x_m, params.camera.z_m) = (eye[0], eye[1]);
+    let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &params);
+    assert!(ocean.set_coast(Some(transfer.clone())));
+    let mut encoder = gpu.encoder("test");
+    ocean.simulation().encode(gpu, &mut encoder, t_s, eye, MAX_FOAM_STEPS);
+    gpu.submit(encoder);
+    ocean
 }
 
 pub fn simulation(gpu: &Gpu, state: &str) -> Simulation {

@@ -3,7 +3,7 @@
 import { existsSync } from 'node:fs';
 import puppeteer from 'puppeteer-core';
 
-export const PATIENCE_MS = Number(process.env.SEASTATE_PATIENCE ?? 120) * 1000; // for software adapters on two cores
+const PATIENCE_MS = Number(process.env.SEASTATE_PATIENCE ?? 120) * 1000; // for software adapters on two cores
 
 const CHROMIUM_FLAGS = [
   '--no-sandbox',
@@ -81,6 +81,17 @@ export async function launch(name) {
   };
 }
 
+/** Asks until the answer is true, and returns that, or the last answer when patience ends. */
+export async function poll(ask) {
+  const end = Date.now() + PATIENCE_MS;
+  for (;;) {
+    // While a page is being loaded again, evaluate() fails.
+    const answer = await ask().catch(() => undefined);
+    if (answer || Date.now() > end) return answer;
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+}
+
 /**
  * Opens a page with a viewport of `size` CSS pixels. `before` runs in it ahead of its own scripts. The page's console
  * messages are collected in `log`, its errors in `errors`.
@@ -113,17 +124,10 @@ async function open(browser, url, { size = [320, 200], before } = {}, strays) {
   const evaluate = (body, ...values) => page.evaluate(body, ...values);
   /** Waits until `body`, run in the page, returns something true, and returns that. `what` names it in errors. */
   async function until(what, body, ...values) {
-    const end = Date.now() + PATIENCE_MS;
-    for (;;) {
-      // While the page is being loaded again, evaluate() fails.
-      const found = await evaluate(body, ...values).catch(() => undefined);
-      if (found) return found;
-      if (Date.now() > end) {
-        const text = await evaluate(() => document.body.innerText);
-        throw new Error(`waited in vain for ${what}; the page says: ${text}; log: ${log.join(' | ')}`);
-      }
-      await new Promise((resolve) => setTimeout(resolve, 100));
-    }
+    const found = await poll(() => evaluate(body, ...values));
+    if (found) return found;
+    const text = await evaluate(() => document.body.innerText);
+    throw new Error(`waited in vain for ${what}; the page says: ${text}; log: ${log.join(' | ')}`);
   }
   return {
     page,

@@ -1,7 +1,7 @@
 // The page without a network, its service worker and copies, and the page in a frame.
 import assert from 'node:assert/strict';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { PATIENCE_MS } from './browsers.mjs';
+import { poll } from './browsers.mjs';
 import { openSea } from './sea.mjs';
 import { serve } from './server.mjs';
 
@@ -21,13 +21,8 @@ async function frameState(tab) {
       return classList.contains('running') ? 'running' : dataset.rung && `${dataset.rung}: ${innerText}`;
     });
   };
-  const end = Date.now() + PATIENCE_MS;
-  while (Date.now() < end) {
-    const found = await Promise.race([answer().catch(() => undefined), sleep(2000)]);
-    if (found) return found;
-    await sleep(100);
-  }
-  return `nothing; frames: ${tab.page.frames().map((each) => each.url())}; log: ${tab.log.join(' | ')}`;
+  const found = await poll(() => Promise.race([answer(), sleep(2000)]));
+  return found || `nothing; frames: ${tab.page.frames().map((each) => each.url())}; log: ${tab.log.join(' | ')}`;
 }
 
 export async function offline(context) {
