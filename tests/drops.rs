@@ -1,11 +1,11 @@
-//! Spray, rain and squalls: rings of raindrops by the picture's own WGSL functions against their mean square slope, and
-//! what drops do in whole pictures.
+//! Spray, rain and squalls: rings of raindrops by the picture's own WGSL functions against their mean square slope, the
+//! rainbow against ray optics, and what drops do in whole pictures.
 
 mod common;
 
 use common::wgsl::{self, Kernel};
 use common::{Pictures, params};
-use seastate::optics::rain;
+use seastate::optics::{rain, rainbow};
 
 const SIZE: [u32; 2] = [160, 90];
 const MODULE: &str = "water/light";
@@ -60,6 +60,42 @@ fn rings_keep_their_mean_square_slope_at_every_pixel_size() {
     assert!((shown + rest) / wanted > 1.2, "the fault is found");
 }
 
+/// Differences between the picture's rainbow and ray optics, for the primary and the secondary bow and each channel: the
+/// mean difference, relative to the mean light, and the angle between the brightest places, degrees.
+fn rainbow_differences(shaders: &seastate::shaders::Shaders) -> [[[f64; 2]; 3]; 2] {
+    let text = "fn answer(q: Question) -> Answer { return Answer(vec4f(rainbow_phase(q[0].x), 0.0)); }";
+    let kernel = Kernel::<1, 1>::new(&common::gpu(), shaders, MODULE, text);
+    [(1, 31.0..46.0), (2, 46.0..61.0)].map(|(reflections, inside)| {
+        let rays: Vec<_> = rainbow::bow(reflections).into_iter().filter(|(deg, _)| inside.contains(deg)).collect();
+        let questions: Vec<_> = rays.iter().map(|(deg, _)| [[-deg.to_radians().cos() as f32, 0.0, 0.0, 0.0]]).collect();
+        let answers = kernel.ask(&questions);
+        std::array::from_fn(|c| {
+            let drawn: Vec<f64> = answers.iter().map(|[a]| a[c] * 4.0 * std::f64::consts::PI).collect();
+            // A channel outside of the display's gamut is black.
+            let wanted: Vec<f64> = rays.iter().map(|(_, colour)| colour[c].max(0.0)).collect();
+            let off: f64 = wanted.iter().zip(&drawn).map(|(a, b)| (a - b).abs()).sum();
+            let brightest = |of: &[f64]| (0..of.len()).max_by(|a, b| of[*a].total_cmp(&of[*b])).expect("angles");
+            let apart = rays[brightest(&wanted)].0 - rays[brightest(&drawn)].0;
+            [off / wanted.iter().sum::<f64>(), apart.abs()]
+        })
+    })
+}
+
+/// Both bows lie where ray optics puts them. The primary bow has the light of the rays within an eighth. The secondary
+/// one, which has an eighth of the light, falls off more slowly than theirs: within 35 %.
+#[test]
+fn the_rainbow_is_that_of_ray_optics() {
+    let shaders = wgsl::shaders();
+    let bows = rainbow_differences(&shaders);
+    eprintln!("mean differences, and degrees between the brightest places: {bows:.3?}");
+    for (bow, most) in bows.iter().zip([0.125, 0.35]) {
+        assert!(bow.iter().all(|[off, apart]| *off < most && *apart <= 0.15), "{bow:?}");
+    }
+    let faulty = shaders.patched(MODULE, "vec3f(42.22, 41.80, 41.05)", "vec3f(41.05, 41.80, 42.22)");
+    let [reversed, _] = rainbow_differences(&faulty);
+    assert!(reversed[0][1] > 0.5 && reversed[2][1] > 0.5, "reversed colours are found: {reversed:?}");
+}
+
 fn luminance(p: [u8; 4]) -> f64 {
     0.2126 * f64::from(p[0]) + 0.7152 * f64::from(p[1]) + 0.0722 * f64::from(p[2])
 }
@@ -98,6 +134,28 @@ fn drops_depend_on_the_state_alone() {
         assert!(pictures.render(&params(state), SIZE) == first, "after {other}");
     }
     assert!(Pictures::default().render(&params(state), SIZE) == first, "on another device");
+}
+
+/// In rain, opposite a low sun, a bow of 42 degrees around the point opposite the sun crosses the sky, red outside.
+#[test]
+fn rain_before_a_low_sun_shows_a_bow() {
+    let mut pictures = Pictures::default();
+    // The camera looks at the level of the bow's top: 42 degrees less the sun's elevation.
+    let state = "wind=5&n=64&t=40&sunaz=180&y=4&heading=0&pitch=30&fov=20&dither=0";
+    let mut hue = |more: &str| {
+        let pixels = pictures.render(&params(&format!("{state}{more}")), SIZE);
+        // Red less blue in the middle column, from the top row to the bottom one.
+        let middle = |row: u32| pixels[(row * SIZE[0] + SIZE[0] / 2) as usize];
+        (0..SIZE[1]).map(|row| f64::from(middle(row)[0]) - f64::from(middle(row)[2])).collect::<Vec<_>>()
+    };
+    let (dry, wet, high) = (hue("&sun=12"), hue("&sun=12&rain=8"), hue("&sun=50&rain=8"));
+    // Change from a row to that six rows (1.3 degrees) lower, in wet air.
+    let fall = |hues: &[f64]| (0..84).map(|row| hues[row] - hues[row + 6]).fold(0.0, f64::max);
+    let reddest = (0..90).max_by(|a, b| (wet[*a] - dry[*a]).total_cmp(&(wet[*b] - dry[*b]))).expect("rows");
+    let reddest_deg = 30.0 + 10.0 - 20.0 * (reddest as f64 + 0.5) / 90.0;
+    eprintln!("falls {:.1} {:.1} {:.1}, reddest at {reddest_deg:.2} degrees", fall(&dry), fall(&wet), fall(&high));
+    assert!(fall(&wet) > 8.0 * fall(&dry).max(fall(&high)), "the bow is there only before a low sun");
+    assert!((reddest_deg - (42.2 - 12.0)).abs() < 0.4, "{reddest_deg}");
 }
 
 /// Rain hides the horizon; shafts below the clouds darken the sky above it.

@@ -204,6 +204,31 @@ fn the_picture_with_clouds_is_near_its_reference() {
     assert!(far.is_empty(), "noisy references, or pictures that are far from theirs: {far:?}");
 }
 
+/// The eye under water: Snell's window with the mirror around it, a bed with caustics, and a lens that the water's
+/// surface crosses.
+#[test]
+#[ignore = "takes minutes on a software GPU"]
+fn the_picture_under_water_is_near_its_reference() {
+    let mut far = Vec::new();
+    for (name, state) in [
+        ("window", "wind=5&fetch=25&sun=42&sunaz=40&dive=6&pitch=38&fov=85"),
+        ("bed", "wind=4&fetch=8&depth=6&sun=52&sunaz=70&bedcover=0.4&caustics=1&dive=2&pitch=-10"),
+        ("waterline", "wind=3&fetch=10&depth=3&sun=38&sunaz=56&dive=0.03&heading=110&fov=75"),
+    ] {
+        let p = params(&format!("{state}&n=128&t=20"));
+        let mut viewer = Viewer::new([192, 108], &p);
+        let normal = viewer.normal();
+        let Agreed { noise, picture, .. } = viewer.agreed();
+        let right = flip(&picture, &normal);
+        eprintln!("{name:<14} noise {noise:.4}, picture {right:.4}");
+        write(&format!("under-water-{name}"), &picture, &normal);
+        if noise > NOISE || right > 0.08 {
+            far.push(name);
+        }
+    }
+    assert!(far.is_empty(), "noisy references, or pictures that are far from theirs: {far:?}");
+}
+
 /// Over a second, the luma of the far half of the water varies about as much as that of the reference does.
 #[test]
 #[ignore = "takes minutes on a software GPU"]

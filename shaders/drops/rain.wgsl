@@ -11,8 +11,11 @@ const RAIN_EXPOSURE_S = 0.016;
 const RAIN_FORWARD_SHARE = 0.5;
 const RAIN_ASYMMETRY = 0.7;
 const RAIN_SKY_SHARE = 0.32;
-// Distances from the eye over which drops appear, m: a lens that is focused on the sea blurs nearer ones away.
+// Distances from the eye over which drops appear, m.
 const RAIN_NEAR_M = vec2f(1.0, 2.5);
+// Diameter of the lens's opening, m. A lens that is focused far away shows a near point as a disc of this size at the
+// point.
+const RAIN_LENS_M = 0.005;
 // Number of cells along a side of the square of splashes (`SPLASH_SIDE` in src/render/drops/rain.rs).
 const RAIN_SPLASH_SIDE = 64u;
 // Height and half width of the column of water that a drop throws up, m.
@@ -49,15 +52,16 @@ fn rain_drop(i: u32) -> RainQuad {
   let middle = rain.middle + rain.box_m * in_box;
   let distance_m = length(middle);
   let pixel_m = frame.pixel_angle * distance_m;
-  let streak_m = RAIN_EXPOSURE_S * length(velocity) + group.w;
-  let width_m = max(group.w, pixel_m);
+  let blurred_m = group.w + RAIN_LENS_M;
+  let streak_m = RAIN_EXPOSURE_S * length(velocity) + blurred_m;
+  let width_m = max(blurred_m, pixel_m);
   let edge = abs(in_box);
   let faded = smoothstep(0.5, 0.4, max(edge.x, max(edge.y, edge.z)));
   let near = smoothstep(RAIN_NEAR_M.x, RAIN_NEAR_M.y, distance_m);
   let along = (0.5 * streak_m) * normalize(velocity);
   // The drop covers a place of its streak for a part of the exposure, and a part of the streak's width.
   let opacity = moving.w * faded * near * group.w * group.w / (streak_m * width_m);
-  return RainQuad(middle, along, rain_across(middle, along, 0.5 * group.w, pixel_m), opacity);
+  return RainQuad(middle, along, rain_across(middle, along, 0.5 * blurred_m, pixel_m), opacity);
 }
 
 fn rain_splash(i: u32) -> RainQuad {

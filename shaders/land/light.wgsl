@@ -170,13 +170,13 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
     let smooth_tilt = LAND_FILM_TILT * land_to_world(slope);
     let v = vec3f(-dir.x, max(-dir.y, 1e-3), -dir.z);
-    // Steep stone keeps no film that is smooth enough for an image of the sun, and foam slides off it.
+    // Steep stone keeps no film that is smooth enough to mirror sun or sky, and foam slides off it.
     let lies = saturate(1.8 * n.y - 0.5);
-    let mirror = land_film_mirror(place, height, v, smooth_tilt, lies * sunlight);
+    let mirror = land_film_mirror(place, height, v, smooth_tilt, sunlight);
     let entering = sunlight * (cosine * (1.0 - water_fresnel(cosine))) + 0.934 * sky_light;
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;
-    radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, ground.film);
+    radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, ground.film * lies);
     let foam = swash_foam(position.xz, size, ground.film * lies, dir);
     // Wet bubbles mirror the sky as the film between them does.
     let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + FOAM_SHORE_SHEEN * radiance;

@@ -44,6 +44,22 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   return array<vec3f, 2>(mix(clear, grey, sky.overcast * sky.overcast), through);
 }
 
+// Height up to which sunlit rain shows its bow before the sky, m.
+const AIR_RAIN_COLUMN_M = 800.0;
+
+// Radiance of the rainbow on a ray of the slope `mu`, through fog and rain of the transmittance `through`. The light
+// comes in along the ray and goes back, so it passes rain twice. Before the sky, rain counts up to the clouds from which
+// it falls; the layer of fog that hides distant water ends lower.
+fn air_rainbow(dir: vec3f, mu: f32, through: f32, is_sky: bool) -> vec3f {
+  var depth = -log(max(through, 1e-6)) * (sky.rain_extinction_per_m / sky.fog.extinction_per_m);
+  if is_sky {
+    depth = sky.rain_extinction_per_m * AIR_RAIN_COLUMN_M / max(mu, 0.02);
+  }
+  let opacity = 0.5 - 0.5 * exp(-2.0 * depth);
+  let sun = light.sun_irradiance * (light.cloud_sun_transmittance * opacity);
+  return sun * rainbow_phase(dot(dir, sky.sun_direction));
+}
+
 // Fog on a ray and the clear air before it: the radiance that they add (rgb), and the transmittance of the fog (w).
 fn air_fog_on_ray(dir: vec3f, distance_m: f32) -> vec4f {
   // A ray that ends in the sky does not go below the horizon.
@@ -57,7 +73,11 @@ fn air_fog_on_ray(dir: vec3f, distance_m: f32) -> vec4f {
     let air = air_clear_on_ray(dir, min(2.0 * over / (root - mu), distance_m));
     radiance = air[0] + air[1] * radiance;
   }
-  return vec4f(radiance * (1.0 - through), through);
+  var bow = vec3f(0.0);
+  if sky.rain_extinction_per_m > 0.0 {
+    bow = air_rainbow(dir, mu, through, distance_m >= FOG_FAR_M);
+  }
+  return vec4f(radiance * (1.0 - through) + bow, through);
 }
 
 // Air and fog between the eye and a point of the sea: the radiance that they add, and their transmittance.

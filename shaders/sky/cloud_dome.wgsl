@@ -177,12 +177,13 @@ fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4
   let veil = sky.overcast * sky.overcast;
   let deck = light.overcast_zenith_radiance * (7.0 / 9.0);
   let clear = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
-  // Drops turn sunlight forwards, where it falls on them between the clouds.
-  let forwards = atm_henyey_greenstein(dot(dir, sky.sun_direction), 0.7);
+  // Drops turn sunlight forwards and into the rainbow, where it falls on them between the clouds.
+  let turned = dot(dir, sky.sun_direction);
+  let phase = atm_henyey_greenstein(turned, 0.7) + rainbow_phase(turned) * (0.5 + 0.5 * shafts.x);
   let shade = mix(0.07, 0.3, sky_open_share());
   let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun_direction.y, sky.sun_radius_rad);
   let between = light.cloud_sun_transmittance * pow(1.0 - sky.overcast, 1.5);
-  let sun = atm_linear_srgb(lit) * sky.sun_tint * (between * forwards);
+  let sun = atm_linear_srgb(lit) * sky.sun_tint * (between * phase);
   let grey = mix(clear, vec3f(sky_luminance(clear)), 0.6);
   let air = dome_air_transmittance(dir.y, shafts.y);
   let whole = dome_air_transmittance(dir.y, 1e3);

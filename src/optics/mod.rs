@@ -1,6 +1,7 @@
-//! Optical properties of sea water and of rain, and the position of the sun.
+//! Optical properties of sea water, of rain and of the rainbow, and the position of the sun.
 
 pub mod colour;
 pub mod rain;
+pub mod rainbow;
 pub mod sun;
 pub mod water;

@@ -50,7 +50,8 @@ const VIEWS: SourcePart = part!("views/common.wgsl");
 /// WGSL for the passes that compute the sky's look-up tables of scattered and transmitted light without clouds.
 const AIR_TABLES: SourcePart = SourcePart::Group(&[ATMOSPHERE, SKY_COMMON]);
 /// WGSL functions for the radiance of the sky without clouds in a given direction, and for fog.
-const SKY: SourcePart = SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl")]);
+const SKY: SourcePart =
+    SourcePart::Group(&[AIR_TABLES, part!("sky/model.wgsl"), part!("sky/fog.wgsl"), part!("sky/rainbow.wgsl")]);
 /// WGSL functions that read the map of the land, for its colours, and for what rises before a point.
 const LAND: SourcePart =
     SourcePart::Group(&[part!("land/map.wgsl"), part!("land/albedo.wgsl"), part!("land/horizon.wgsl")]);

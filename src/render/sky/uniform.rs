@@ -101,6 +101,9 @@ gpu_struct! {
         fog_red: f32,
         fog_green: f32,
         fog_blue: f32,
+        /// Part of the extinction coefficient of the fog that is by raindrops, which make the rainbow, 1/m.
+        rain_extinction_per_m: f32,
+        unused: [u32; 3],
     }
 }
 
@@ -147,6 +150,7 @@ impl SkyUniform {
             fog_red: 1.0,
             fog_green: 1.0,
             fog_blue: 1.0,
+            rain_extinction_per_m: 0.0,
             ..*self
         }
     }
@@ -184,6 +188,8 @@ impl SkyUniform {
             fog_red,
             fog_green,
             fog_blue,
+            rain_extinction_per_m: rain::extinction_per_m(look.rain_mm_h) as f32,
+            unused: [0; 3],
         }
     }
 }
