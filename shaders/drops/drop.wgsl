@@ -5,10 +5,9 @@ const DROP_UNSEEN = vec4f(2.0, 2.0, 2.0, 1.0);
 // Binary logarithm of the size, m, over which the shadows of clouds on drops are averaged.
 const DROP_LOG_SHADOW_M = 5.0;
 
-// Position in a quad, -1 to 1, of the corner with the number `corner`, 0 to 5, of its two triangles.
+// Position in a quad, -1 to 1, of the corner with the number `corner`, 0 to 3, of its strip of two triangles.
 fn drop_corner(corner: u32) -> vec2f {
-  let x = select(-1.0, 1.0, corner == 1u || corner == 3u || corner == 4u);
-  return vec2f(x, select(-1.0, 1.0, corner == 2u || corner > 3u));
+  return vec2f(vec2u(corner & 1u, corner >> 1u)) * 2.0 - 1.0;
 }
 
 // Irradiance by the sun on drops above `place` (x, z), relative to the eye, m; none after sunset.

@@ -175,7 +175,7 @@ fn cover_stone(look: f32, place: vec2f, height: f32, run_up: f32, size: f32) -> 
   let stone = mix(COVER_BLOCK_DARK, COVER_BLOCK_LIGHT, tone);
   let rock = mix(LAND_DARK_ROCK, LAND_ROCK, 0.25 + 0.75 * tone);
   var out: LandGround;
-  out.albedo = select(stone, rock, look >= 2.0) * max(1.0 + 0.13 * face.z + 0.09 * face.w, 0.4);
+  out.albedo = select(stone, rock, look >= 2.0) * max(1.0 + 0.22 * face.z + 0.16 * face.w, 0.35);
   let washed = land_washed(out.albedo, height, run_up, 0.8 * face.z + 3.0 * tone - 1.5);
   out.albedo = washed.rgb;
   out.relief = vec2f(0.22 * face.z, 0.22 * face.w);

@@ -8,7 +8,7 @@ const LAND_REGION_M = 2230.0;
 const LAND_SPLASH = 1.9;
 const LAND_WEED_ZONE = 0.7;
 // Heights above the still water, m, that the tide keeps wet (x) and weedy (y) also where there are no waves.
-const LAND_TIDE_M = vec2f(0.40, 0.28);
+const LAND_TIDE_M = vec2f(1.1, 0.6);
 // Fraction of its albedo that wet stone keeps.
 const LAND_WET_STONE = 0.45;
 
@@ -38,7 +38,7 @@ fn land_sand(
 ) -> LandGround {
   let wet = land_wetness(height, middle.z + 0.5 * fine.w, run_up + 0.04);
   // The last waves have left it darker, up to a line of lobes.
-  let fresh = land_wetness(height, 1.5 * middle.w + 0.6 * middle.z, 0.72 * run_up + 0.02);
+  let fresh = land_wetness(height, 0.9 * middle.w + 0.4 * middle.z, 0.72 * run_up + 0.02);
   // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
   var out: LandGround;
@@ -63,7 +63,7 @@ fn land_sand(
   // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
   let lively = 0.1 + 0.9 * min(run_up, 1.0);
   let lobes = lively * (0.10 * middle.z + 0.06 * fine.w + 0.04 * fine.z);
-  let film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 5.0 / lively + 0.5);
+  let film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 2.2 / lively + 0.5);
   // Sand that is full of water shines a little.
   out.film = max(film, LAND_SHEEN * fresh * fresh);
   return out;

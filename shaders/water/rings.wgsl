@@ -7,10 +7,10 @@ override WATER_RAIN: bool = false;
 
 // Layers of rings: side of a cell with one ring at a time, m; wave number, rad/m; half width of the packet of waves, m;
 // and share of the mean square slope. A ring reaches from its middle to half a cell at most.
-const RING_LAYERS = array<vec4f, 2>(vec4f(0.42, 121.0, 0.036, 0.55), vec4f(0.26, 190.0, 0.022, 0.45));
+const RING_LAYERS = array<vec4f, 2>(vec4f(0.273, 121.0, 0.024, 0.55), vec4f(0.182, 190.0, 0.016, 0.45));
 // Number of cells in the period of 5.46 m by which positions are counted (`RING_PERIOD_M` in
 // src/render/water/material.rs).
-const RING_CELLS_PER_PERIOD = array<i32, 2>(13, 21);
+const RING_CELLS_PER_PERIOD = array<i32, 2>(20, 30);
 // Growth of the radius during the life of a ring, in cells, so that with its width it stays within half a cell.
 const RING_REACH = 0.36;
 // The mean square slope of rings with amplitude 1 in every cell is RING_SQUARE * RING_REACH * half width / cell: the

@@ -89,12 +89,16 @@ pub struct RenderProgram<'a> {
     pub entry_points: [&'a str; 2],
     /// Names and values of the override constants in the module that do not have their default values.
     pub constants: &'a [(&'a str, f64)],
+    /// What the vertices form.
+    pub topology: wgpu::PrimitiveTopology,
 }
 
 impl<'a> RenderProgram<'a> {
-    /// A render program with the entry points named `vertex` and `fragment`, and default values of override constants.
+    /// A render program with the entry points named `vertex` and `fragment`, and default values of override constants,
+    /// for a list of triangles.
     pub fn new(module: &'a wgpu::ShaderModule) -> Self {
-        Self { module, entry_points: ["vertex", "fragment"], constants: &[] }
+        let topology = wgpu::PrimitiveTopology::TriangleList;
+        Self { module, entry_points: ["vertex", "fragment"], constants: &[], topology }
     }
 }
 
@@ -281,7 +285,7 @@ impl Gpu {
         onto: &AttachmentFormats<'_>,
     ) -> wgpu::RenderPipeline {
         report(&Made::Render(label, program, onto));
-        let RenderProgram { module, entry_points: [vertex, fragment], constants } = *program;
+        let RenderProgram { module, entry_points: [vertex, fragment], constants, topology } = *program;
         let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
         let write_mask = wgpu::ColorWrites::ALL;
         let target = |&format| Some(wgpu::ColorTargetState { format, blend: onto.blend, write_mask });
@@ -295,7 +299,7 @@ impl Gpu {
                 compilation_options: compilation_options.clone(),
                 buffers: &[],
             },
-            primitive: wgpu::PrimitiveState::default(),
+            primitive: wgpu::PrimitiveState { topology, ..Default::default() },
             depth_stencil: onto.depth.map(|depth| wgpu::DepthStencilState {
                 format: depth.format,
                 depth_write_enabled: Some(depth.writes_depth),

@@ -101,12 +101,11 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
                 &dive=0.03&heading=110&fov=75&t=9.1",
     },
     GalleryPicture {
-        title: "Rainbow",
-        description: "Rain in the sun before a deck of clouds: a low sun behind the eye lights a yacht and both bows of a \
-                      shower.",
-        state: "v=2&wind=6&fetch=15&scale2=1&hs2=0.8&tp2=7&swell2=0.7&sun=8&sunaz=205&clouds=stratocumulus\
-                &cloudcover=0.6&rain=4&squalls=0.8&glints=1&gusts=1&bloom=0.04&y=2.5&heading=335&pitch=7&fov=40&t=40\
-                &afloat=yacht*-40*-50",
+        title: "Rain",
+        description: "Rain from a broken deck: streaks, rings and splashes of drops, and a low sun behind the veil.",
+        state: "v=2&wind=4&fetch=20&scale2=1&hs2=0.8&tp2=7&swell2=0.7&sun=10&sunaz=25&overcast=0.4&clouds=stratocumulus\
+                &cloudcover=0.9&rain=50&squalls=0.5&glints=1&gusts=1&exposure=0.3&bloom=0.04&heading=18&fov=36&t=40\
+                &afloat=yacht*26*-95",
     },
     GalleryPicture {
         title: "Shallow tropical water",

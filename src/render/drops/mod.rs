@@ -50,7 +50,9 @@ impl<T: bytemuck::Pod> DropPass<T> {
         let onto = AttachmentFormats { blend: Some(BLEND_OVER), ..attachments(&format, DEPTH_TEST_BACKGROUND) };
         let layouts = [&water.scene.layout, water.maps_layout(), &layout];
         let constants = [switch_constant("WATER_COAST", has_coast)];
-        let program = RenderProgram { constants: &constants, ..RenderProgram::new(&text) };
+        // A strip runs the vertex shader for four corners of a quad; two single triangles would take six.
+        let topology = wgpu::PrimitiveTopology::TriangleStrip;
+        let program = RenderProgram { constants: &constants, topology, ..RenderProgram::new(&text) };
         let pipeline = gpu.render_pipeline(module, &program, &layouts, &onto);
         Self { pipeline, layout, uniform: Uniform::new(gpu, module), group: None, quads: 0, has_coast }
     }
@@ -71,7 +73,7 @@ impl<T: bytemuck::Pod> DropPass<T> {
         pass.set_bind_group(0, &water.scene.group, &[]);
         pass.set_bind_group(1, maps, &[]);
         pass.set_bind_group(2, group, &[]);
-        pass.draw(0..6, 0..self.quads);
+        pass.draw(0..4, 0..self.quads);
     }
 }
 

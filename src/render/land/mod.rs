@@ -164,9 +164,9 @@ impl LandPass {
                 switch_constant("LAND_SHADOWS", parts.shadows),
             ];
             let program = RenderProgram {
-                module: &module,
                 entry_points: ["light_vertex", "light_fragment"],
                 constants: &constants,
+                ..RenderProgram::new(&module)
             };
             gpu.render_pipeline("land/light", &program, &layouts.each_ref(), &attachments(&format, DEPTH_TEST_LIGHT))
         });

@@ -154,7 +154,7 @@ impl HullPass {
                     switch_constant("HULL_DIVES", parts.dives),
                     switch_constant("SKY_CLOUD_SHADOWS", parts.cloud_shadows),
                 ];
-                let program = RenderProgram { module: &module, entry_points, constants: &constants };
+                let program = RenderProgram { entry_points, constants: &constants, ..RenderProgram::new(&module) };
                 let onto = AttachmentFormats { blend, ..attachments(&format, depth) };
                 gpu.render_pipeline("hulls", &program, &layouts.each_ref(), &onto)
             }

@@ -230,9 +230,9 @@ impl WaterPass {
         self.mesh.select_pipeline(&gpu, parts.coast, parts.shades_vertices());
         self.light_pipelines.select(parts, scene.may_keep_pipelines, move || {
             let program = RenderProgram {
-                module: &module,
                 entry_points: ["light_vertex", if parts.is_lean { "lean_fragment" } else { "light_fragment" }],
                 constants: &parts.constants(),
+                ..RenderProgram::new(&module)
             };
             let onto = attachments(&format, DEPTH_TEST_WATER_LIGHT);
             gpu.render_pipeline("water/light", &program, &layouts.each_ref(), &onto)

@@ -73,7 +73,7 @@ const GLINT_MOMENT_S: f64 = 0.06;
 /// Period of the cells of both layers of rings (shaders/water/rings.wgsl), m; area of the larger cells, m^2; and how
 /// long a ring is seen, s.
 const RING_PERIOD_M: f64 = 5.46;
-const RING_CELL_M2: f64 = 0.42 * 0.42;
+const RING_CELL_M2: f64 = 0.273 * 0.273;
 const RING_S: f64 = 0.5;
 /// Diameter of the smallest drops whose rings are seen singly, mm.
 const RING_DIAMETER_MM: f64 = 1.5;

@@ -110,9 +110,9 @@ impl UnderPass {
             let mut constants = parts.constants().map(exact).to_vec();
             constants.push(switch_constant("UNDER_SEES_AIR", sees_air));
             let program = RenderProgram {
-                module: &module,
                 entry_points: ["light_vertex", "under_fragment"],
                 constants: &constants,
+                ..RenderProgram::new(&module)
             };
             gpu.render_pipeline("water/under", &program, &layouts.each_ref(), &attachments(&format, DEPTH_TEST_NONE))
         });
