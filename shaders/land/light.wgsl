@@ -166,7 +166,13 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   // Grass is lit from both sides.
   let cosine = max(to_sun, select(0.0, -COVER_BLADE_THROUGH * to_sun, shown.y < 0.0));
   var radiance = ground.albedo * (sunlight * cosine + sky_light) / ATM_PI;
-  if ground.film > 0.0 {
+  var film = ground.film;
+  var swept = 0.0;
+  if film > 0.0 || (shown.y == 0.0 && height < run_up) {
+    swept = swash_cover(position.xz, size);
+    film = max(film, swash_film(swept, height, run_up, length(map.yz)));
+  }
+  if film > 0.0 {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
     let smooth_tilt = LAND_FILM_TILT * land_to_world(slope);
     let v = vec3f(-dir.x, max(-dir.y, 1e-3), -dir.z);
@@ -176,8 +182,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let entering = sunlight * (cosine * (1.0 - water_fresnel(cosine))) + 0.934 * sky_light;
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;
-    radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, ground.film * lies);
-    let foam = swash_foam(position.xz, size, ground.film * lies, dir);
+    radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, film * lies);
+    let foam = swash_foam(position.xz, size, film * lies * swept, dir);
     // Wet bubbles mirror the sky as the film between them does.
     let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + FOAM_SHORE_SHEEN * radiance;
     radiance = mix(foam.beside * radiance, white, foam.opacity);

@@ -53,6 +53,19 @@ const SWASH_GLOW = 0.16;
 // Stops of light between hollows and lumps of the body, for each deviation of their noise.
 const SWASH_LUMPS = 0.35;
 
+// Cover of the foam that a wave has left from which it also has left a film of water (x), and from which all sand there
+// is under the film (y).
+const SWASH_SWEPT = vec2f(0.15, 0.40);
+// Heights, relative to the run-up, between which that film ends.
+const SWASH_SWEPT_HEIGHTS = vec2f(0.67, 1.0);
+
+// Share of the ground that is under the film of the last waves that have passed, where their foam covers the part `cover`.
+// It drains as the foam dissolves. `steep` is the slope of the land: rock keeps no such film.
+fn swash_film(cover: f32, height: f32, run_up: f32, steep: f32) -> f32 {
+  let below = 1.0 - maths_rise(height / max(run_up, 0.05), SWASH_SWEPT_HEIGHTS);
+  return below * maths_rise(cover, SWASH_SWEPT) * maths_smooth(2.0 - 6.0 * steep);
+}
+
 // Part of the water that foam covers at a point (x, z) relative to the one below the eye, by the finest level of the map
 // that holds it, over texels of `size` metres.
 fn swash_cover(at: vec2f, size: f32) -> f32 {
@@ -82,11 +95,10 @@ fn swash_layers(z: f32, edge: f32, unresolved: f32) -> vec2f {
 }
 
 // The foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_look.wgsl), with
-// fewer layers. `film` is the share of the ground under the film, `dir` the direction from the eye.
-fn swash_foam(at: vec2f, size: f32, film: f32, dir: vec3f) -> SwashFoam {
+// fewer layers. `cover` is the part of the ground that it covers, `dir` the direction from the eye.
+fn swash_foam(at: vec2f, size: f32, cover: f32, dir: vec3f) -> SwashFoam {
   let l = frame.sun_direction;
   var out = SwashFoam(0.0, max(l.y, 0.0), 1.0, 1.0);
-  let cover = film * swash_cover(at, size);
   if cover < 0.01 {
     return out;
   }

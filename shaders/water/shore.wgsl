@@ -27,6 +27,10 @@ const SHORE_COLLAR_COVER = 0.95;
 const SHORE_COLLAR_DEPTH = 3.4;
 // Part of the collar at the foot of the stone that is as thick as a breaker's front.
 const SHORE_COLLAR_CHURNED = 0.9;
+// Depth of the water, m, in which the foam of breakers goes over into that of the film on the sand, and the part of it
+// that is left at the edge of the water.
+const SHORE_THIN_FOAM_M = 0.25;
+const SHORE_THIN_FOAM = 0.15;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
 // Depth of the water, m, up to which it is too thin for a cloud of bubbles: the sand shows through.
@@ -165,6 +169,9 @@ fn shore_add_lace(
   }
   var out = foam;
   let column = max(height - ground.x, 0.0);
+  let thick = mix(SHORE_THIN_FOAM, 1.0, maths_smooth(column / SHORE_THIN_FOAM_M));
+  out.cover *= thick;
+  out.fresh *= thick;
   if column < SHORE_SHEET_DEPTH * land.run_up_m {
     let run_up = max(shore_run_up_m(at), 1e-3);
     let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_LACE_RUN_UP_M);
