@@ -170,7 +170,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   var swept = 0.0;
   if film > 0.0 || (shown.y == 0.0 && height < run_up) {
     swept = swash_cover(position.xz, size);
-    film = max(film, swash_film(swept, height, run_up, length(map.yz)));
+    let bend = land_noise(place.yx, LAND_MIDDLE_M, size);
+    film = max(film, swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, length(map.yz)));
   }
   if film > 0.0 {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
@@ -183,7 +184,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, film * lies);
-    let foam = swash_foam(position.xz, size, film * lies * swept, dir);
+    let foam = swash_foam(position.xz, size, film * lies * SWASH_LEFT * swept, dir);
     // Wet bubbles mirror the sky as the film between them does.
     let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + FOAM_SHORE_SHEEN * radiance;
     radiance = mix(foam.beside * radiance, white, foam.opacity);

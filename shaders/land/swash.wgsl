@@ -36,7 +36,7 @@ fn land_swash_marks(height: f32, run_up: f32, middle: vec4f, fine: vec4f, size: 
 // parts (y), how much more the pattern must rise for the body, and the opacity of both.
 const SWASH_SOFTNESS = vec2f(0.4, 0.25);
 const SWASH_SHIFT = vec2f(0.15, -0.35);
-const SWASH_OPACITY = vec2f(0.36, 0.56);
+const SWASH_OPACITY = vec2f(0.20, 0.66);
 // Weights of patches of metres, strands of decimetres and threads of centimetres in the pattern. Their squares add up
 // to 1.
 const SWASH_WEIGHTS = vec3f(0.5, 0.77, 0.396);
@@ -55,16 +55,20 @@ const SWASH_LUMPS = 0.35;
 
 // Cover of the foam that a wave has left from which it also has left a film of water (x), and from which all sand there
 // is under the film (y).
-const SWASH_SWEPT = vec2f(0.15, 0.40);
-// Heights, relative to the run-up, between which that film ends.
-const SWASH_SWEPT_HEIGHTS = vec2f(0.67, 1.0);
+const SWASH_SWEPT = vec2f(0.03, 0.45);
+// Heights, relative to the run-up, between which that film ends, and how far a normal noise moves this line.
+const SWASH_SWEPT_HEIGHTS = vec2f(0.72, 0.88);
+const SWASH_SWEPT_LOBES = 0.13;
 
 // Share of the ground that is under the film of the last waves that have passed, where their foam covers the part `cover`.
-// It drains as the foam dissolves. `steep` is the slope of the land: rock keeps no such film.
-fn swash_film(cover: f32, height: f32, run_up: f32, steep: f32) -> f32 {
-  let below = 1.0 - maths_rise(height / max(run_up, 0.05), SWASH_SWEPT_HEIGHTS);
+// It drains as the foam dissolves. `bend` is normal noise, and `steep` the slope of the land: rock keeps no such film.
+fn swash_film(cover: f32, height: f32, run_up: f32, bend: f32, steep: f32) -> f32 {
+  let below = 1.0 - maths_rise(height / max(run_up, 0.05) + SWASH_SWEPT_LOBES * bend, SWASH_SWEPT_HEIGHTS);
   return below * maths_rise(cover, SWASH_SWEPT) * maths_smooth(2.0 - 6.0 * steep);
 }
+
+// Part of the foam of a wave that stays on the film.
+const SWASH_LEFT = 0.7;
 
 // Part of the water that foam covers at a point (x, z) relative to the one below the eye, by the finest level of the map
 // that holds it, over texels of `size` metres.
