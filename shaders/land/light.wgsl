@@ -170,8 +170,10 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   var swept = 0.0;
   if film > 0.0 || (shown.y == 0.0 && height < run_up) {
     swept = swash_cover(position.xz, size);
-    let bend = land_noise(place.yx, LAND_MIDDLE_M, size);
-    film = max(film, swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, length(map.yz)));
+    if swept > SWASH_SWEPT.x {
+      let bend = land_noise(place.yx, LAND_MIDDLE_M, size);
+      film = max(film, swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, length(map.yz)));
+    }
   }
   if film > 0.0 {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
