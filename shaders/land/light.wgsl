@@ -17,6 +17,11 @@ fn land_from_eye(place: vec2f, height: f32) -> vec3f {
 
 // Heights of crags of tens of metres and of metres on steep rock, m for each deviation of their noise.
 const LAND_CRAGS_M = vec2f(1.3, 1.1);
+// The same of buttresses, and the side of their tile of noise, m.
+const LAND_BUTTRESSES_M = vec2f(3.0, 2.4);
+const LAND_BUTTRESSES_TILE_M = 170.0;
+// Width of the texels that both are averaged over, m: of finer ones, single vertices of the mesh would stand out.
+const LAND_CRAG_SIZE_M = 4.0;
 
 struct LandMeshFragment {
   @builtin(position) clip: vec4f,
@@ -29,10 +34,13 @@ fn mesh_vertex(@builtin(vertex_index) i: u32) -> LandMeshFragment {
   let slope = unpack2x16float(v.slope);
   let bend = land_noise(v.place, LAND_WIDE_M, 1.0).z;
   let ledge = land_ledge(v.place, vec4f(v.height_m, slope, 0.0), bend);
-  // Crags break the outline of rock.
-  let crag = land_noise(v.place.yx, LAND_MIDDLE_M, 1.0).zw;
+  // Crags and buttresses break the outline of rock.
+  let crag = land_noise(v.place.yx, LAND_MIDDLE_M, LAND_CRAG_SIZE_M).zw;
+  let buttress = land_noise(v.place.yx, LAND_BUTTRESSES_TILE_M, LAND_CRAG_SIZE_M).zw;
   let share = land_rock_share(length(slope)) * maths_rise(v.height_m, LAND_LEDGE_FROM_M);
-  let raised = ledge.x + share * dot(LAND_CRAGS_M, clamp(crag, vec2f(-1.5), vec2f(1.5)));
+  let crags_m = dot(LAND_CRAGS_M, clamp(crag, vec2f(-1.5), vec2f(1.5)))
+    + dot(LAND_BUTTRESSES_M, clamp(buttress, vec2f(-1.5), vec2f(1.5)));
+  let raised = ledge.x + share * crags_m;
   return LandMeshFragment(land_clip(land_from_eye(v.place, v.height_m + raised)), slope);
 }
 
