@@ -149,7 +149,7 @@ fn rain_before_a_low_sun_shows_a_bow() {
         (0..SIZE[1]).map(|row| f64::from(middle(row)[0]) - f64::from(middle(row)[2])).collect::<Vec<_>>()
     };
     let (dry, wet, high) = (hue("&sun=12"), hue("&sun=12&rain=8"), hue("&sun=50&rain=8"));
-    // Change from a row to that six rows (1.3 degrees) lower, in wet air.
+    // Largest fall of red less blue from a row to that six rows (1.3 degrees) lower.
     let fall = |hues: &[f64]| (0..84).map(|row| hues[row] - hues[row + 6]).fold(0.0, f64::max);
     let reddest = (0..90).max_by(|a, b| (wet[*a] - dry[*a]).total_cmp(&(wet[*b] - dry[*b]))).expect("rows");
     let reddest_deg = 30.0 + 10.0 - 20.0 * (reddest as f64 + 0.5) / 90.0;

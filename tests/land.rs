@@ -117,21 +117,25 @@ fn wet_sand_follows_the_drawn_run_up() {
     assert!((run_up_m(true, "hs=2&tp=10&depth=200") - 0.75).abs() < 1e-3);
 }
 
-/// Where a wave has passed, sand bears a film of water that drains with the wave's foam. It ends at the run-up, and rock
-/// has none.
+/// Where a wave has passed, sand bears a film of water that drains with the wave's foam. It ends below the run-up, and
+/// rock has none.
 #[test]
 fn a_wave_leaves_a_film_on_sand_that_drains_with_its_foam() {
     let text = "fn answer(q: Question) -> Answer {
-        return Answer(vec4f(swash_film(q[0].x, q[0].y, q[0].z, 0.0, q[0].w), 0.0, 0.0, 0.0));
+        return Answer(vec4f(swash_film(q[0].x, q[0].y, q[0].z, q[1].x, q[0].w), 0.0, 0.0, 0.0));
     }";
-    let kernel = wgsl::Kernel::<1, 1>::new(&common::gpu(), &shaders(), "land/light", text);
-    // Cover of the foam, height, m, of the place and of the run-up, and slope of the land.
-    let film = |cover: f32, height: f32, steep: f32| kernel.ask(&[[[cover, height, 1.2, steep]]])[0][0][0];
+    let kernel = wgsl::Kernel::<2, 1>::new(&common::gpu(), &shaders(), "land/light", text);
+    // Cover of the foam, height of the place, m, slope of the land, and noise of the lobes. The run-up is 1.2 m.
+    let bent = |cover: f32, height: f32, steep: f32, bend: f32| {
+        kernel.ask(&[[[cover, height, 1.2, steep], [bend, 0.0, 0.0, 0.0]]])[0][0][0]
+    };
+    let film = |cover, height, steep| bent(cover, height, steep, 0.0);
     let drains: Vec<f64> = [0.6, 0.35, 0.15, 0.02].map(|cover| film(cover, 0.5, 0.05)).to_vec();
     assert_eq!((drains[0], drains[3]), (1.0, 0.0));
     assert!(drains.windows(2).all(|pair| pair[1] < pair[0]), "{drains:?}");
     assert_eq!([film(0.6, 1.2, 0.05), film(0.6, 0.5, 0.6)], [0.0; 2], "above the run-up, and on rock");
     assert!(film(0.6, 0.8, 0.05) > 0.0);
+    assert!(bent(0.6, 1.2, 0.05, -3.0) < 1e-5, "no lobe reaches beyond the run-up");
 }
 
 /// Height, m, of the ridge of [`ridge`], and its distance from the sea's edge of the coast.

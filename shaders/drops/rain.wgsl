@@ -13,8 +13,8 @@ const RAIN_ASYMMETRY = 0.7;
 const RAIN_SKY_SHARE = 0.32;
 // Distances from the eye over which drops appear, m.
 const RAIN_NEAR_M = vec2f(1.0, 2.5);
-// Diameter of the lens's opening, m. A lens that is focused far away shows a near point as a disc of this size at the
-// point.
+// Diameter of the lens's opening, m. A lens that is focused far away spreads a near point over a disc that is as wide, at
+// the distance of the point, as the opening.
 const RAIN_LENS_M = 0.005;
 // Number of cells along a side of the square of splashes (`SPLASH_SIDE` in src/render/drops/rain.rs).
 const RAIN_SPLASH_SIDE = 64u;

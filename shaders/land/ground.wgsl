@@ -131,7 +131,7 @@ const LAND_FACE_LEAN = 0.6;
 const LAND_DETAIL_M = 8.7;
 // Albedo of lichen, and the heights above the splash, m, between which it begins to grow.
 const LAND_LICHEN = vec3f(0.195, 0.192, 0.150);
-const LAND_LICHEN_M = vec2f(0.8, 4.0);
+const LAND_LICHEN_M = vec2f(1.5, 4.7);
 
 // Thickness of a stratum of rock, m, the part of it that its joint darkens on either side, and the change of slope from
 // its joint to its upper edge, relative to the slope of the land.

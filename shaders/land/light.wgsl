@@ -15,12 +15,14 @@ fn land_from_eye(place: vec2f, height: f32) -> vec3f {
   return vec3f(off.x, height - dot(off, off) / (2.0 * FRAME_EARTH_RADIUS_M) - frame.eye_height_m, off.y);
 }
 
-// Heights of crags of tens of metres and of metres on steep rock, m for each deviation of their noise.
+// Heights of crags on steep rock, m for each deviation of their noise: of those tens of metres wide, and of those metres
+// wide.
 const LAND_CRAGS_M = vec2f(1.3, 1.1);
-// The same of buttresses, and the side of their tile of noise, m.
+// The same of buttresses, and the side of the tile of their noise, m.
 const LAND_BUTTRESSES_M = vec2f(3.0, 2.4);
 const LAND_BUTTRESSES_TILE_M = 170.0;
-// Width of the texels that both are averaged over, m: of finer ones, single vertices of the mesh would stand out.
+// Width of the texels over which both noises are averaged, m. With finer ones, single vertices of the mesh would stand
+// out.
 const LAND_CRAG_SIZE_M = 4.0;
 
 struct LandMeshFragment {
@@ -40,7 +42,8 @@ fn mesh_vertex(@builtin(vertex_index) i: u32) -> LandMeshFragment {
   let share = land_rock_share(length(slope)) * maths_rise(v.height_m, LAND_LEDGE_FROM_M);
   let crags_m = dot(LAND_CRAGS_M, clamp(crag, vec2f(-1.5), vec2f(1.5)))
     + dot(LAND_BUTTRESSES_M, clamp(buttress, vec2f(-1.5), vec2f(1.5)));
-  let raised = ledge.x + share * crags_m;
+  // They cut away at most half of the height above the lowest ledge, so that no rock sinks below the water.
+  let raised = ledge.x + share * max(crags_m, -0.5 * max(v.height_m - LAND_LEDGE_FROM_M.x, 0.0));
   return LandMeshFragment(land_clip(land_from_eye(v.place, v.height_m + raised)), slope);
 }
 
@@ -178,9 +181,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   var swept = 0.0;
   if film > 0.0 || (shown.y == 0.0 && height < run_up) {
     swept = swash_cover(position.xz, size);
-    if swept > SWASH_SWEPT.x {
+    if swept > SWASH_SWEPT.x && shown.y == 0.0 {
       let bend = land_noise(place.yx, LAND_MIDDLE_M, size);
-      film = max(film, swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, length(map.yz)));
+      film = max(film, swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, length(slope)));
     }
   }
   if film > 0.0 {
@@ -192,7 +195,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let mirror = land_film_mirror(place, height, v, smooth_tilt, sunlight);
     let entering = sunlight * (cosine * (1.0 - water_fresnel(cosine))) + 0.934 * sky_light;
     let spread = material.inverse_relative_index * material.inverse_relative_index;
-    let wet = ground.albedo / (LAND_DRY * LAND_DAMP) * entering / ATM_PI;
+    // Sand that is not yet damp is no brighter under water than that of the bed.
+    let wet = min(ground.albedo / (LAND_DRY * LAND_DAMP), material.bed_colour) * entering / ATM_PI;
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, film * lies);
     let foam = swash_foam(position.xz, size, film * lies * SWASH_LEFT * swept, dir);
     // Wet bubbles mirror the sky as the film between them does.

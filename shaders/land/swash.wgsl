@@ -1,4 +1,5 @@
-// Traces of waves on sand: lines of driftweed, arcs where single waves turned back, and foam on the film of water.
+// Traces of waves on sand: lines of driftweed, arcs where single waves turned back, the film of water that a wave leaves,
+// and the foam on it.
 
 // Colour of dry driftweed, and heights above the run-up, m, at which the swash of two tides has left it.
 const LAND_WRACK = vec3f(0.105, 0.080, 0.050);
@@ -53,8 +54,8 @@ const SWASH_GLOW = 0.16;
 // Stops of light between hollows and lumps of the body, for each deviation of their noise.
 const SWASH_LUMPS = 0.35;
 
-// Cover of the foam that a wave has left from which it also has left a film of water (x), and from which all sand there
-// is under the film (y).
+// Cover of the foam that a wave has left: where it is more than x, the wave has also left a film of water, and from y on
+// the film covers all sand.
 const SWASH_SWEPT = vec2f(0.03, 0.45);
 // Heights, relative to the run-up, between which that film ends, and how far a normal noise moves this line.
 const SWASH_SWEPT_HEIGHTS = vec2f(0.72, 0.88);
@@ -63,7 +64,9 @@ const SWASH_SWEPT_LOBES = 0.13;
 // Share of the ground that is under the film of the last waves that have passed, where their foam covers the part `cover`.
 // It drains as the foam dissolves. `bend` is normal noise, and `steep` the slope of the land: rock keeps no such film.
 fn swash_film(cover: f32, height: f32, run_up: f32, bend: f32, steep: f32) -> f32 {
-  let below = 1.0 - maths_rise(height / max(run_up, 0.05) + SWASH_SWEPT_LOBES * bend, SWASH_SWEPT_HEIGHTS);
+  // No lobe goes beyond the run-up, where nothing of this is computed.
+  let lobe = max(SWASH_SWEPT_LOBES * bend, SWASH_SWEPT_HEIGHTS.y - 1.0);
+  let below = 1.0 - maths_rise(height / max(run_up, 0.05) + lobe, SWASH_SWEPT_HEIGHTS);
   return below * maths_rise(cover, SWASH_SWEPT) * maths_smooth(2.0 - 6.0 * steep);
 }
 

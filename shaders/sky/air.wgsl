@@ -51,16 +51,21 @@ const AIR_RAIN_COLUMN_M = 800.0;
 // comes in along the ray and goes back, so it passes rain twice. Before the sky, rain counts up to the clouds from which
 // it falls; the layer of fog that hides distant water ends lower.
 fn air_rainbow(dir: vec3f, mu: f32, through: f32, is_sky: bool) -> vec3f {
-  var depth = -log(max(through, 1e-6)) * (sky.rain_extinction_per_m / sky.fog.extinction_per_m);
+  var path_m = -log(max(through, 1e-6)) / sky.fog.extinction_per_m;
   if is_sky {
-    depth = sky.rain_extinction_per_m * AIR_RAIN_COLUMN_M / max(mu, 0.02);
+    path_m = max(path_m, max(AIR_RAIN_COLUMN_M - frame.eye_height_m, 0.0) / max(mu, 0.02));
   }
-  let opacity = 0.5 - 0.5 * exp(-2.0 * depth);
-  let sun = light.sun_irradiance * (light.cloud_sun_transmittance * opacity);
+  // Half of the extinction by drops is light that they diffract, which hardly turns: it is not lost.
+  let there_and_back = 2.0 * sky.fog.extinction_per_m - sky.rain_extinction_per_m;
+  let opacity = 0.5 * sky.rain_extinction_per_m / there_and_back * (1.0 - exp(-there_and_back * path_m));
+  // The sun above the rain: the way through it is counted here.
+  let layer = max(fog_transmittance(0.0, sky.sun_direction.y, 0.0, FOG_FAR_M), 1e-3);
+  let sun = light.sun_irradiance * (light.cloud_sun_transmittance * opacity / layer);
   return sun * rainbow_phase(dot(dir, sky.sun_direction));
 }
 
-// Fog on a ray and the clear air before it: the radiance that they add (rgb), and the transmittance of the fog (w).
+// Fog and rain on a ray, with the rainbow, and the clear air before them: the radiance that they add (rgb), and the
+// transmittance of fog and rain (w).
 fn air_fog_on_ray(dir: vec3f, distance_m: f32) -> vec4f {
   // A ray that ends in the sky does not go below the horizon.
   let mu = select(dir.y, max(dir.y, -sin(frame.horizon_dip)), distance_m >= FOG_FAR_M);

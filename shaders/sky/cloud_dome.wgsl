@@ -179,7 +179,8 @@ fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4
   let clear = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
   // Drops turn sunlight forwards and into the rainbow, where it falls on them between the clouds.
   let turned = dot(dir, sky.sun_direction);
-  let phase = atm_henyey_greenstein(turned, 0.7) + rainbow_phase(turned) * (0.5 + 0.5 * shafts.x);
+  // The share of the bow is half of what the shaft hides, as in air_rainbow.
+  let phase = atm_henyey_greenstein(turned, 0.7) + 0.5 * rainbow_phase(turned);
   let shade = mix(0.07, 0.3, sky_open_share());
   let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun_direction.y, sky.sun_radius_rad);
   let between = light.cloud_sun_transmittance * pow(1.0 - sky.overcast, 1.5);

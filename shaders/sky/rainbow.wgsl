@@ -4,8 +4,8 @@
 // disc and diffraction smooth this into the real part of 1 / sqrt(x - i w). Angle, width and strength for linear sRGB are
 // fits to ray optics of drops over the spectrum (`src/optics/rainbow.rs`; tests/drops.rs compares both).
 
-// Angles from the point opposite the sun, degrees, in red, green and blue; widths, degrees; and strengths, degrees^(1/2)
-// per mean of the light in all directions.
+// Angles from the point opposite the sun, degrees, in red, green and blue; widths, degrees; and strengths, degrees^(1/2),
+// where 1 is light that is equal in all directions.
 const RAINBOW_PRIMARY_DEG = vec3f(42.22, 41.80, 41.05);
 const RAINBOW_PRIMARY_WIDTH = vec3f(0.193, 0.222, 0.266);
 const RAINBOW_PRIMARY_STRENGTH = vec3f(0.876, 0.891, 0.935);
