@@ -21,7 +21,7 @@ const SPRAY_LIFT = 0.02;
 // Fraction of the light that reaches a puff at the root of the spray.
 const SPRAY_ROOT_LIGHT = 0.5;
 
-// What the puffs of one origin have in common.
+// Properties that all puffs of spray of one origin share: of the open sea, of surf, or of waves that burst on stone.
 struct SprayKind {
   // Time in which coarse drops take on the speed of the air, s.
   relaxation_s: f32,

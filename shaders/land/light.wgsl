@@ -18,7 +18,7 @@ fn land_from_eye(place: vec2f, height: f32) -> vec3f {
 // Heights of crags on steep rock, m for each deviation of their noise: of those tens of metres wide, and of those metres
 // wide.
 const LAND_CRAGS_M = vec2f(1.3, 1.1);
-// The same of buttresses, and the side of the tile of their noise, m.
+// Heights of buttresses on steep rock, m for each deviation of their noise, and the side of the tile of that noise, m.
 const LAND_BUTTRESSES_M = vec2f(3.0, 2.4);
 const LAND_BUTTRESSES_TILE_M = 170.0;
 // Width of the texels over which both noises are averaged, m. With finer ones, single vertices of the mesh would stand

@@ -59,8 +59,7 @@ fn air_rainbow(dir: vec3f, mu: f32, through: f32, is_sky: bool) -> vec3f {
   let there_and_back = 2.0 * sky.fog.extinction_per_m - sky.rain_extinction_per_m;
   let opacity = 0.5 * sky.rain_extinction_per_m / there_and_back * (1.0 - exp(-there_and_back * path_m));
   // The sun above the rain: the way through it is counted here.
-  let layer = max(fog_transmittance(0.0, sky.sun_direction.y, 0.0, FOG_FAR_M), 1e-3);
-  let sun = light.sun_irradiance * (light.cloud_sun_transmittance * opacity / layer);
+  let sun = light.sun_irradiance * (light.cloud_sun_transmittance * opacity * light.sun_above_fog);
   return sun * rainbow_phase(dot(dir, sky.sun_direction));
 }
 

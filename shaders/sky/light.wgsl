@@ -64,6 +64,7 @@ fn clear_irradiance() {
   light.overcast_zenith_radiance = grey * (LIGHT_OVERCAST_TRANSMITTANCE * 9.0 / (7.0 * ATM_PI));
   light.fog_sky_radiance = vec3f(0.0);
   light.fog_sun_irradiance = vec3f(0.0);
+  light.sun_above_fog = 1.0;
   if sky.fog.extinction_per_m > 0.0 {
     // Sunlight in the middle of the fog, and the diffuse light there, which includes the sunlight that the fog above
     // has scattered. About as much light goes up as comes down.
@@ -75,6 +76,7 @@ fn clear_irradiance() {
     let sunlight = fog_transmittance(0.5 * max(sky.fog.top_m, 0.0), sky.sun_direction.y, 0.0, FOG_FAR_M);
     let sun = light.sun_irradiance * light.cloud_sun_transmittance;
     light.fog_sun_irradiance = sun * sunlight;
+    light.sun_above_fog = 1.0 / max(fog_transmittance(0.0, sky.sun_direction.y, 0.0, FOG_FAR_M), 1e-3);
     let lost = sun * (high * (1.0 - sunlight));
     light.fog_sky_radiance = (mix(diffuse, LIGHT_OVERCAST_TRANSMITTANCE * grey, o) + lost) * (0.6 / ATM_PI);
     let tint = vec3f(sky.fog_red, sky.fog_green, sky.fog_blue);

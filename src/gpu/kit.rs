@@ -89,7 +89,7 @@ pub struct RenderProgram<'a> {
     pub entry_points: [&'a str; 2],
     /// Names and values of the override constants in the module that do not have their default values.
     pub constants: &'a [(&'a str, f64)],
-    /// What the vertices form.
+    /// How the vertices are joined to triangles: three by three, or as a strip.
     pub topology: wgpu::PrimitiveTopology,
 }
 

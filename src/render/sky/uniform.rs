@@ -213,7 +213,8 @@ gpu_struct! {
         pub cloud_sun_transmittance: f32,
         /// Radiance (RGB; unit: 6400 cd/m2 / `night_gain`) of dense fog lit by the sky, equal in all directions.
         pub fog_sky_radiance: [f32; 3],
-        unused_0: u32,
+        /// Sunlight above fog and rain divided by that below them, where `sun_irradiance` is; 1 without fog.
+        pub sun_above_fog: f32,
         /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun at half the fog's height, on a plane facing it.
         pub fog_sun_irradiance: [f32; 3],
         unused_1: u32,
