@@ -5,6 +5,7 @@ mod common;
 
 use common::wgsl::{self, Kernel};
 use common::{Pictures, gpu, params};
+use seastate::gpu::Gpu;
 use seastate::ocean::still::PICTURE_FORMAT;
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::render::{self, HullImages, MaterialUniform};
@@ -18,29 +19,26 @@ fn differing(a: &[[u8; 4]], b: &[[u8; 4]], least: u8) -> Vec<[u32; 2]> {
     (0..a.len()).filter(|i| differs(*i)).map(|i| [i as u32 % SIZE[0], i as u32 / SIZE[0]]).collect()
 }
 
-/// Calls `hull_image_mirrored` of the water's module for points of a mirror-flat sea that an eye above the origin sees.
-/// What the water mirrors besides is 1, and the hulls are black.
+/// Calls `hull_image_mirrored` of the water's module for points of a mirror-flat sea that an eye above the origin sees,
+/// and `hull_image_sunlight`. What the water mirrors besides is 1, and the hulls are black.
 const ASK: &str = "
 fn answer(question: Question) -> Answer {
   let place = vec3f(question[0].x, 0.0, question[0].y);
   let to_eye = vec3f(-place.x, question[0].z, -place.z);
   let mirror = WaterMirror(vec3f(1.0), 0.0);
   let seen = hull_image_mirrored(mirror, place, normalize(to_eye), length(to_eye), WaterSlope());
-  return Answer(vec4f(1.0 - seen.radiance.x, 0.0, 0.0, 0.0));
+  return Answer(vec4f(1.0 - seen.radiance.x, hull_image_sunlight(place, 0.01), 0.0, 0.0));
 }";
 
-/// The image of a point at the height h in the water is as deep below the water as the point is above it.
-#[test]
-fn a_flat_sea_mirrors_a_buoy_upside_down() {
-    let (gpu, eye_m, far_m) = (gpu(), 3.0, 11.0);
-    let state = params("wind=0&n=64&y=3&heading=0&x=70&z=-30&afloat=buoy*70*-41");
-    let mut ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &state);
+/// [`ASK`] with the floating objects of a state.
+fn asked(gpu: &Gpu, state: &str) -> Kernel<1, 1> {
+    let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &params(state));
     // The objects have places once a frame was recorded.
     ocean.record_frame_with_complete_foam(&mut gpu.encoder("test"), [16, 16]);
     let scene = ocean.scene([4096, 4096]);
     let frame = render::frame_uniform(&scene, ocean.maps(), [4096, 4096]);
-    let mut kernel = Kernel::<1, 1>::new(&gpu, &wgsl::shaders(), "water/light", ASK);
-    let uniform = |bytes: &[u8]| wgsl::buffer(&gpu, bytes, BufferUsages::UNIFORM);
+    let mut kernel = Kernel::<1, 1>::new(gpu, &wgsl::shaders(), "water/light", ASK);
+    let uniform = |bytes: &[u8]| wgsl::buffer(gpu, bytes, BufferUsages::UNIFORM);
     let [frame, light, material, hulls] = [
         uniform(bytemuck::bytes_of(&frame)),
         uniform(&[0; 512]),
@@ -56,6 +54,14 @@ fn a_flat_sea_mirrors_a_buoy_upside_down() {
             (14, hulls.as_entire_binding()),
         ],
     );
+    kernel
+}
+
+/// The image of a point at the height h in the water is as deep below the water as the point is above it.
+#[test]
+fn a_flat_sea_mirrors_a_buoy_upside_down() {
+    let (gpu, eye_m, far_m) = (gpu(), 3.0, 11.0);
+    let kernel = asked(&gpu, "wind=0&n=64&y=3&heading=0&x=70&z=-30&afloat=buoy*70*-41");
     // The part of the buoy in the mirror image of a point with this height, this far to the side of the buoy's axis.
     let cover = |points: &[[f64; 2]]| -> Vec<f64> {
         let questions: Vec<_> = points
@@ -71,6 +77,30 @@ fn a_flat_sea_mirrors_a_buoy_upside_down() {
     let inside = cover(&[[2.7, 0.0], [2.6, 0.1], [1.5, 0.13], [1.5, -0.13], [0.3, 0.9], [0.3, -0.9]]);
     let outside = cover(&[[2.86, 0.0], [2.6, 0.2], [1.5, 0.2], [1.5, -0.2], [0.3, 1.02], [0.3, -1.02], [4.0, 0.0]]);
     assert!(inside.iter().all(|c| *c > 0.9) && outside.iter().all(|c| *c < 0.1), "{inside:?} {outside:?}");
+}
+
+/// A yacht that heels shades the water on the side away from the sun as far as its rail is high, the water on the side of
+/// the sun not at all, and nowhere takes more sunlight than there is.
+#[test]
+fn a_yacht_shades_the_water_behind_it() {
+    let gpu = gpu();
+    // The wind blows from 50 degrees to the left of the yacht's bow, so that it sails to the north, with the sun at 45
+    // degrees on its port side.
+    let kernel = asked(&gpu, "wind=9&hs=0.01&n=64&y=3&dir=310&sun=45&sunaz=270&x=0&z=30&afloat=yacht*0*0");
+    let at = |places: &[[f64; 2]]| -> Vec<f64> {
+        let questions: Vec<_> = places.iter().map(|[x, z]| [[*x as f32, (*z - 30.0) as f32, 3.0, 0.0]]).collect();
+        kernel.ask(&questions).iter().map(|answer| answer[0][1]).collect()
+    };
+    let around: Vec<_> =
+        (-40..=40).flat_map(|x| (-40..=40).map(move |z| [f64::from(x) * 0.25, f64::from(z) * 0.25])).collect();
+    let least = at(&around).into_iter().fold(1.0, f64::min);
+    let sunny = at(&[[-2.6, 0.0], [-3.5, 2.0], [-3.5, -2.0], [-6.0, 0.0], [-4.0, 5.0]]);
+    let shaded = at(&[[2.0, 0.0], [2.0, 1.0], [2.0, -1.0]]);
+    let astern = at(&[[0.0, 8.0], [0.0, -8.0], [1.0, 8.0]]);
+    eprintln!("least {least:.3}, on the sun's side {sunny:.2?}, behind {shaded:.2?}, astern {astern:.2?}");
+    assert!(least >= 0.0, "{least}");
+    assert!(sunny.iter().all(|s| *s > 0.97) && shaded.iter().all(|s| *s < 0.1), "{sunny:?} {shaded:?}");
+    assert!(astern.iter().all(|s| *s > 0.9), "{astern:?}");
 }
 
 #[test]

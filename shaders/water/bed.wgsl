@@ -204,7 +204,7 @@ fn water_bed_radiance(deep: vec3f, place: vec2f, height: f32, ray: vec3f, size: 
   let beam = water_refract(-frame.sun_direction, vec3f(0.0, 1.0, 0.0));
   let sun_height = max(frame.sun_direction.y, 0.0);
   let beam_down = max(-beam.y, 0.3);
-  var sun = shadow_sun_irradiance() * (sun_height * (1.0 - water_fresnel(sun_height)));
+  var sun = shadow_entering_sun_irradiance() * (sun_height * (1.0 - water_fresnel(sun_height)));
   if WATER_CAUSTICS && frame.sun_direction.y > 0.0 {
     let entry = hit - beam.xz * (column / beam_down);
     // Light that is scattered on its way down is not focused.

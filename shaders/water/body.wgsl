@@ -41,7 +41,7 @@ fn water_entering_sunlight(n: vec3f) -> vec3f {
   let l = frame.sun_direction;
   let cosine = dot(n, l);
   let facing = max(0.5 * (cosine + l.y), 0.0);
-  return shadow_sun_irradiance() * (facing * (1.0 - water_fresnel(max(cosine, 0.0))));
+  return shadow_entering_sun_irradiance() * (facing * (1.0 - water_fresnel(max(cosine, 0.0))));
 }
 
 // Fraction of the surface lately covered by foam, below which the bubbles do not count.

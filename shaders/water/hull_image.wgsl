@@ -8,6 +8,9 @@ const HULL_IMAGE_SEA_REFLECTANCE = vec3f(0.03, 0.05, 0.06);
 // Blur of the edges of a shadow: the radius of the sun's disc, as a tangent.
 const HULL_IMAGE_SUN_BLUR = 0.0047;
 
+// Distance, m, over which a section fades that begins to lie behind the place.
+const HULL_IMAGE_BEHIND_M = 0.5;
+
 // Light that reaches the two paints of a side: straight, and through a sail from behind.
 struct HullImageLight {
   front: vec3f,
@@ -54,15 +57,18 @@ fn hull_image_met(
     let half = vec2f(section.half_length_m, section.half_width_m);
     let off = section.middle - vec3f(place);
     let middle_m = dot(off.xz, toward);
+    let half_depth_m = length(deep * half);
     // The outline of a section that is long in the direction of view is nearer than the section's middle.
-    let near = 1.0 / max(max(middle_m - 0.6 * length(deep * half), 0.25 * middle_m), 0.2);
+    let near = 1.0 / max(max(middle_m - 0.6 * half_depth_m, 0.25 * middle_m), 0.2);
     var high = vec4f(dot(off.xz, across), length(seen * half), off.y, 0.0) * near;
     high.w = maths_normal_cdf((high.z - rise) * sharp.y);
     let share = high.w - low.w;
     if i > 0u && share > 1e-3 {
       // Most rays pass the band at the height that is nearest to the middle ray's.
       let at = mix(low.xy, high.xy, saturate((rise - low.z) / max(high.z - low.z, 1e-4)));
-      let stopped = share
+      // A section that lies behind the place stops no ray.
+      let ahead_share = maths_smooth(0.5 + (middle_m + half_depth_m) / HULL_IMAGE_BEHIND_M);
+      let stopped = ahead_share * share
         * (maths_normal_cdf((at.x + at.y) * sharp.x) - maths_normal_cdf((at.x - at.y) * sharp.x));
       let lit = mix(irradiance.front, irradiance.behind, colour.a);
       sum += stopped * vec4f(colour.rgb * lit, 1.0 - through * colour.a);
@@ -71,7 +77,8 @@ fn hull_image_met(
     colour = vec4f(encoded.rgb * encoded.rgb * (1.0 / ATM_PI), encoded.a);
     low = high;
   }
-  return sum;
+  // Bands that overlap, as those of a hull that heels do, stop a ray once.
+  return sum / max(sum.w, 1.0);
 }
 
 // Whether rays from `place` in the horizontal direction `toward`, which spread by the tangent `spread`, may meet a hull.

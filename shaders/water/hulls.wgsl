@@ -64,8 +64,10 @@ fn hull_radiance_below(in: HullFragment, n: vec3f, dir: vec3f, distance_m: f32) 
   return surface * medium_transmittance(distance_m) + medium_radiance(dir, eye_m, distance_m, 1.0);
 }
 
-// How much brighter than its mean the sky is on the side of the sun, and darker on the other, as a hull sees it.
-const HULL_SKY_CONTRAST = 0.6;
+// How much brighter than its mean the sky is on the side of a low (x) and of a high sun (y), and darker on the other, as a
+// hull sees it; and the sine of the sun's elevation from which it counts as high.
+const HULL_SKY_CONTRAST = vec2f(0.85, 0.5);
+const HULL_HIGH_SUN = 0.5;
 
 // Number of seams between the panels of a sail, from foot to head.
 const HULL_SEAMS = 11.0;
@@ -126,7 +128,8 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let facing_sun = dot(n.xz, normalize(frame.sun_direction.xz + vec2f(1e-6, 0.0)));
   // A sail also glows with the sky behind it, which lowers the contrast between its sides. Near its leading edge, mast
   // and sails hide a part of the sky.
-  let contrast = HULL_SKY_CONTRAST * facing_sun * (1.0 - 2.0 * paint.a);
+  let most = mix(HULL_SKY_CONTRAST.x, HULL_SKY_CONTRAST.y, saturate(frame.sun_direction.y / HULL_HIGH_SUN));
+  let contrast = most * facing_sun * (1.0 - 2.0 * paint.a);
   let hidden = select(0.0, HULL_LUFF_SHADE * exp(-5.0 * in.cloth.x), in.cloth.y > 0.0);
   let from_sky = light.sky_irradiance * (up * (1.0 + contrast) * (1.0 - hidden));
   let around = from_sky + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);

@@ -210,7 +210,7 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
     }
   }
   if WATER_HULLS {
-    shadow_sun_fraction = hull_image_sunlight(
+    shadow_hull_fraction = hull_image_sunlight(
       hull_image_place(point.position, point.height), frame.pixel_angle * distance_m);
   }
   var mirror = lean_mirror(v, slope);

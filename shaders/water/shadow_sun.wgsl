@@ -6,13 +6,27 @@ override WATER_SHADOWS: bool = false;
 // Whether something floats, which the water mirrors and which shades it (shaders/water/hull_image.wgsl).
 override WATER_HULLS: bool = false;
 
-// Fraction of the sunlight that waves, land and hulls let through to the point that is lit; a pass sets it once per pixel.
+// Share of the shadow of a floating object in the light from below the surface at its place. That light has entered the
+// water all around, so the shadow of a narrow hull is mostly filled.
+const SHADOW_HULL_BELOW = 0.35;
+
+// Fractions of the sunlight that waves and land, and that floating objects, let through to the point that is lit; a pass
+// sets them once per pixel.
 var<private> shadow_sun_fraction: f32 = 1.0;
+var<private> shadow_hull_fraction: f32 = 1.0;
 
 // Irradiance by the sun, between clouds, waves, land and hulls, on a plane that faces it at the point that is lit.
 fn shadow_sun_irradiance() -> vec3f {
   if WATER_SHADOWS || WATER_HULLS || LAND_SHADOWS {
-    return cloud_sun_irradiance() * shadow_sun_fraction;
+    return cloud_sun_irradiance() * (shadow_sun_fraction * shadow_hull_fraction);
+  }
+  return cloud_sun_irradiance();
+}
+
+// As shadow_sun_irradiance, of the sunlight that has entered the water around the point that is lit.
+fn shadow_entering_sun_irradiance() -> vec3f {
+  if WATER_SHADOWS || WATER_HULLS || LAND_SHADOWS {
+    return cloud_sun_irradiance() * (shadow_sun_fraction * mix(1.0, shadow_hull_fraction, SHADOW_HULL_BELOW));
   }
   return cloud_sun_irradiance();
 }

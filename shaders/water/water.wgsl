@@ -81,7 +81,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
   }
   if WATER_HULLS {
-    shadow_sun_fraction *=
+    shadow_hull_fraction =
       hull_image_sunlight(hull_image_place(point.position, point.height), frame.pixel_angle / nearness);
   }
   if LAND_SHADOWS {

@@ -34,8 +34,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "A fine day",
         description: "The sea that the page opens with: a fresh breeze on a long swell, a low sun between \
                       fair-weather cumulus.",
-        state: "v=2&wind=8&fetch=60&scale2=1&hs2=1.8&swell2=0.8&sun=11&sunaz=18&haze=0.4&clouds=cumulus&glints=1\
-                &gusts=1&bloom=0.04&y=3&heading=30&pitch=2&t=40&afloat=yacht*50*-70",
+        state: "v=2&wind=8&fetch=60&scale2=1&hs2=1.8&swell2=0.8&sun=11&sunaz=18&haze=0.1&clouds=cumulus&glints=1\
+                &gusts=1&bloom=0.06&y=3&heading=30&pitch=2&t=40&afloat=yacht*50*-70",
     },
     GalleryPicture {
         title: "Calm at dawn",
