@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::wgsl::{ask, shaders};
+use common::wgsl::{Kernel, ask, shaders};
 
 type Case = [[f32; 4]; 2];
 
@@ -272,6 +272,59 @@ fn tone_curves_are_those_of_the_publications() {
         + 0.1191 * log
         - 0.002_32;
     close("agx grey", grey(AGX, 0.18), 1.09 * sigmoid.powf(1.25));
+}
+
+/// Local exposure: what the tone pass reads between the cells is the cubic B-spline through them, and bright areas are
+/// exposed less, dark ones as before.
+#[test]
+fn bright_areas_of_a_picture_are_exposed_less() {
+    const CELLS: [u32; 2] = [16, 9];
+    let gpu = common::gpu();
+    let text = "fn answer(q: Question) -> Answer {
+        tone_test_share = q[1].x;
+        return Answer(vec4f(tone_brightness_around(q[0].xy), tone_local_gain(q[0].xy, q[0].z), 0.0, 0.0));
+    }
+    var<private> tone_test_share: f32;";
+    let shaders = shaders().patched("film/tone", "tone.local_exposure * bright", "tone_test_share * bright");
+    let mut kernel = Kernel::<2, 1>::new(&gpu, &shaders, "film/tone", text);
+    let cell = |x: i64, y: i64| {
+        let [x, y] = [x.clamp(0, 15), y.clamp(0, 8)];
+        f64::from(half::f16::from_f64(3.0 * (1.7 * x as f64 + 0.9 * (y * y) as f64).sin()))
+    };
+    let texels: Vec<[half::f16; 4]> = (0..144).map(|i| [half::f16::from_f64(cell(i % 16, i / 16)); 4]).collect();
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+    let map = gpu.texture("test", [CELLS[0], CELLS[1], 1], 1, wgpu::TextureFormat::Rgba16Float, usage);
+    gpu.write_texture(&map, 0, bytemuck::cast_slice(&texels));
+    let map = map.create_view(&wgpu::TextureViewDescriptor::default());
+    let sampler = gpu.sampler("test", [wgpu::AddressMode::ClampToEdge; 2], wgpu::MipmapFilterMode::Nearest);
+    kernel.bind(0, &[(3, wgpu::BindingResource::Sampler(&sampler)), (5, wgpu::BindingResource::TextureView(&map))]);
+    let places: Vec<[f64; 2]> =
+        (0..200).map(|i| [(f64::from(i) * 0.618).fract(), (f64::from(i) * 0.414).fract()]).collect();
+    let spline = |[u, v]: [f64; 2]| {
+        let weights = |f: f64| {
+            let g = 1.0 - f;
+            let near = |f: f64| (4.0 + 3.0 * f * f * (f - 2.0)) / 6.0;
+            [g * g * g / 6.0, near(f), near(g), f * f * f / 6.0]
+        };
+        let [p, q] = [u * 16.0 - 0.5, v * 9.0 - 0.5];
+        let [wx, wy] = [weights(p - p.floor()), weights(q - q.floor())];
+        let at = |i: usize, j: usize| cell(p.floor() as i64 + i as i64 - 1, q.floor() as i64 + j as i64 - 1);
+        (0..16).map(|k| wx[k % 4] * wy[k / 4] * at(k % 4, k / 4)).sum::<f64>()
+    };
+    for share in [0.0, 0.5, 1.0] {
+        let questions: Vec<_> =
+            places.iter().map(|[u, v]| [[*u as f32, *v as f32, 0.5, 0.0], [share as f32, 0.0, 0.0, 0.0]]).collect();
+        for (place, found) in places.iter().zip(kernel.ask(&questions)) {
+            let [around, gain, ..] = found[0];
+            let expected = spline(*place);
+            assert!((around - expected).abs() < 0.03, "{place:?}: {around} for {expected}");
+            // The exposure of 0.5 makes one doubling less; areas count as bright from half the light of white.
+            let over = around - 1.0 + 1.0;
+            let held = -gain.log2();
+            let least = share * over.max(0.0);
+            assert!((least - 1e-4..=least + share * 0.31).contains(&held), "{place:?}: {held} for {over}");
+        }
+    }
 }
 
 /// The sine of an elevation may exceed 1 by rounding; a NaN there would drive the exposure.

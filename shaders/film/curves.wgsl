@@ -27,7 +27,7 @@ const TONE_FILM_WHITEST = 5.0;
 // It never stops to rise: so the glow around the sun falls off over all its decades and keeps its hue, and the disc of
 // the sun in it is white.
 const TONE_FILM_SHOULDER = -0.5;
-const TONE_FILM_HELD = 0.42;
+const TONE_FILM_HELD = 0.28;
 
 fn tone_film_response(log_light: vec4f) -> vec4f {
   let light = exp2(TONE_FILM_CONTRAST * log_light);

@@ -9,6 +9,7 @@ override TONE_SMOOTH: bool = true;
 @group(0) @binding(2) var hdr_map: texture_2d<f32>;
 @group(0) @binding(3) var hdr_sampler: sampler;
 @group(0) @binding(4) var bloom_map: texture_2d<f32>;
+@group(0) @binding(5) var local_map: texture_2d<f32>;
 
 // Noise of a pixel for dithering, -0.5 to 0.5: Jimenez's interleaved gradient noise, which is even among neighbours.
 fn tone_noise(pixel: vec2f) -> f32 {
@@ -17,6 +18,35 @@ fn tone_noise(pixel: vec2f) -> f32 {
 
 fn tone_exposure() -> f32 {
   return tone.exposure_gain * select(light.exposure, tone.fixed_exposure, tone.fixed_exposure > 0.0);
+}
+
+// Binary logarithm of the exposed luminance above which an area of the picture is bright, and the width of the way over.
+const TONE_BRIGHT = -1.0;
+const TONE_BRIGHT_SOFT = 0.6;
+
+// Mean binary logarithm of the luminance around a place, from a cubic B-spline over the cells of the picture, as four
+// linear samples (Sigg and Hadwiger, GPU Gems 2, chapter 20).
+fn tone_brightness_around(uv: vec2f) -> f32 {
+  let size = vec2f(textureDimensions(local_map));
+  let p = uv * size - 0.5;
+  let f = fract(p);
+  let g = 1.0 - f;
+  let low = (g * g * g + 4.0 + 3.0 * f * f * (f - 2.0)) / 6.0;
+  let high = 1.0 - low;
+  let before = (p - f - 0.5 + (4.0 + 3.0 * f * f * (f - 2.0)) / (6.0 * low)) / size;
+  let after = (p - f + 1.5 + f * f * f / (6.0 * high)) / size;
+  let upper = low.x * textureSampleLevel(local_map, hdr_sampler, before, 0.0).r
+    + high.x * textureSampleLevel(local_map, hdr_sampler, vec2f(after.x, before.y), 0.0).r;
+  let lower = low.x * textureSampleLevel(local_map, hdr_sampler, vec2f(before.x, after.y), 0.0).r
+    + high.x * textureSampleLevel(local_map, hdr_sampler, after, 0.0).r;
+  return low.y * upper + high.y * lower;
+}
+
+// Factor on the exposure at a place of the picture: bright areas are exposed less.
+fn tone_local_gain(uv: vec2f, exposure: f32) -> f32 {
+  let over = tone_brightness_around(uv) + log2(exposure) - TONE_BRIGHT;
+  let bright = 0.5 * (over + sqrt(over * over + TONE_BRIGHT_SOFT * TONE_BRIGHT_SOFT));
+  return exp2(-tone.local_exposure * bright);
 }
 
 // Exposed light, compressed below 1 so that a glint does not outshine an edge that it is averaged with.
@@ -103,7 +133,10 @@ fn fragment(in: ScreenVertex) -> @location(0) vec4f {
   if tone.is_encoded != 0u {
     return tone_with_luma(hdr.rgb);
   }
-  let exposure = tone_exposure();
+  var exposure = tone_exposure();
+  if tone.local_exposure > 0.0 {
+    exposure *= tone_local_gain(in.uv, exposure);
+  }
   var exposed = hdr.rgb * exposure;
   if TONE_SMOOTH {
     exposed = tone_edges_smoothed(hdr, at, in.uv, exposure);

@@ -13,8 +13,14 @@ const CEILING_FOAM_TRANSMITTANCE = 0.4;
 // the upper edge its surface stands upright.
 const CEILING_CAPILLARY_M = 0.0027;
 const CEILING_CLIMB_M = 0.0038;
-// Half the width of the bright line at its edge, relative to that height.
-const CEILING_EDGE = 0.07;
+// How much higher that looks than at the point where the rays of the picture begin: the glass before a camera's lens is
+// nearer to it, at 4.5 instead of 10 cm.
+const CEILING_NEARER = 2.2;
+// Height of the bright band of the climbing water and half its width, relative to the whole height.
+const CEILING_BAND = vec2f(0.55, 0.3);
+// Height from which the climbing water goes over into what lies behind it, relative to the whole height. The lens does not
+// focus on its own glass.
+const CEILING_BLUR = 0.25;
 // Share of the light that is left where the climbing water mirrors the dark rim of the lens.
 const CEILING_RIM_LIGHT = 0.65;
 
@@ -130,9 +136,9 @@ fn ceiling_blurred_sky(dir: vec3f) -> vec3f {
   return ceiling_sky(dir, mirrored_sky_layer(0.05));
 }
 
-// How the meniscus bends the ray `dir` at the fraction `edge` of its height. `size` is the height of a pixel relative to
-// that. The height of a surface that hangs on a wall and its slope angle t obey height^2 = 2 capillary length^2 (1 - cos t).
-fn ceiling_meniscus(dir: vec3f, edge: f32, size: f32) -> CeilingMeniscus {
+// How the meniscus bends the ray `dir` at the fraction `edge` of its height. The height of a surface that hangs on a wall
+// and its slope angle t obey height^2 = 2 capillary length^2 (1 - cos t).
+fn ceiling_meniscus(dir: vec3f, edge: f32) -> CeilingMeniscus {
   let relative = edge * (CEILING_CLIMB_M / CEILING_CAPILLARY_M);
   let level = max(1.0 - 0.5 * relative * relative, 0.0);
   let ahead = dir.xz * inverseSqrt(max(dot(dir.xz, dir.xz), 1e-6));
@@ -157,12 +163,32 @@ fn ceiling_meniscus(dir: vec3f, edge: f32, size: f32) -> CeilingMeniscus {
     out.sky = through * reflectance * ceiling_blurred_sky(vec3f(down.x, -down.y, down.z));
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     out.share = mix((1.0 - reflectance) * spread, out.share, turned_back);
-    // The edge on the glass is round and turns the rays of a narrow line up into the sky. A pixel averages it.
-    let width = max(CEILING_EDGE, size);
-    let bright = (CEILING_EDGE / width) * maths_smooth(1.0 - abs(edge - 0.96) / width);
+    // The edge on the glass is round and turns rays up into the sky.
+    let bright = maths_smooth(1.0 - abs(edge - CEILING_BAND.x) / CEILING_BAND.y);
     let lifted = normalize(vec3f(dir.x, dir.y + 0.4, dir.z));
-    out.sky += 0.7 * bright * ceiling_blurred_sky(lifted);
+    out.sky += 0.35 * bright * ceiling_blurred_sky(lifted);
     out.dir = normalize(mix(water_refract(down, vec3f(0.0, 1.0, 0.0)), mirrored, turned_back));
   }
+  return ceiling_blurred_edge(out, dir, edge);
+}
+
+// The climbing water `lens` at the fraction `edge` of its height, blurred over what the ray `dir` sees above it: the sky,
+// or the water's surface, as smooth as it is at the lens.
+fn ceiling_blurred_edge(lens: CeilingMeniscus, dir: vec3f, edge: f32) -> CeilingMeniscus {
+  let behind = maths_smooth((edge - CEILING_BLUR) / (1.0 - CEILING_BLUR));
+  let n = water_normal(frame.water_at_eye.yz);
+  let cosine = -dot(dir, n);
+  var out = lens;
+  if cosine <= 0.0 {
+    out.share *= 1.0 - behind;
+    out.sky = mix(lens.sky, ceiling_blurred_sky(dir), behind);
+    return out;
+  }
+  let reflectance = water_fresnel(cosine);
+  let spread = material.inverse_relative_index * material.inverse_relative_index;
+  let up = reflect(dir, n);
+  out.dir = normalize(mix(lens.dir, water_refract(dir, n), behind));
+  out.share = mix(lens.share, (1.0 - reflectance) * spread, behind);
+  out.sky = mix(lens.sky, reflectance * ceiling_blurred_sky(vec3f(up.x, max(up.y, 0.02), up.z)), behind);
   return out;
 }

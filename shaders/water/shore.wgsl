@@ -29,8 +29,13 @@ const SHORE_COLLAR_DEPTH = 3.4;
 const SHORE_COLLAR_CHURNED = 0.9;
 // Depth of the water, m, in which the foam of breakers goes over into that of the film on the sand, and the part of it
 // that is left at the edge of the water.
-const SHORE_THIN_FOAM_M = 0.25;
+const SHORE_THIN_FOAM_M = 0.8;
 const SHORE_THIN_FOAM = 0.15;
+// Slope of the water's surface relative to that of the ground, down towards the sea, from which the water lies behind the
+// front of a bore; the depth, m, from which no water does; and the part of the foam that is left there.
+const SHORE_BACK_FALL = 0.06;
+const SHORE_BACK_M = 1.2;
+const SHORE_BACK_FOAM = 0.4;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
 // Depth of the water, m, up to which it is too thin for a cloud of bubbles: the sand shows through.
@@ -159,9 +164,10 @@ fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, heigh
 
 // The foam of a pixel, with that of the swash, which carries it at its edge, and with the collar of foam around rock and
 // walls. `ground` is that of land_at, `at` the pixel's place relative to the point below the eye, `height` the height of
-// the water there, m, `fall` its slope relative to that of the ground, and `size` the width of the pixel's texels, m.
+// the water there, m, `fall` its slope relative to that of the ground, along x and z, and `size` the width of the pixel's
+// texels, m.
 fn shore_add_lace(
-  foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, fall: f32, size: f32,
+  foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, fall: vec2f, size: f32,
 ) -> FoamAmount {
   // No collar reaches deeper than one of the highest waves.
   if -ground.x > 2.0 * SHORE_COLLAR_DEPTH * land.run_up_m {
@@ -170,15 +176,19 @@ fn shore_add_lace(
   var out = foam;
   let column = max(height - ground.x, 0.0);
   let thick = mix(SHORE_THIN_FOAM, 1.0, maths_smooth(column / SHORE_THIN_FOAM_M));
-  out.cover *= thick;
-  out.fresh *= thick;
+  // A bore is white in front. Behind it, where the water falls towards the sea, foam is torn.
+  let uphill = land_to_world(ground.yz);
+  let seaward = dot(fall, uphill) * inverseSqrt(max(dot(uphill, uphill), 1e-8));
+  let back = maths_smooth(0.5 + 0.5 * seaward / SHORE_BACK_FALL) * (1.0 - maths_smooth(column / SHORE_BACK_M));
+  out.cover *= thick * mix(1.0, SHORE_BACK_FOAM, back);
+  out.fresh *= thick * (1.0 - back);
   if column < SHORE_SHEET_DEPTH * land.run_up_m {
     let run_up = max(shore_run_up_m(at), 1e-3);
     let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_LACE_RUN_UP_M);
     // The foam at the edge is a thin line in places and a broad front in others.
     let fringe = land_noise(land_turned(land_place(at)), LAND_FINE_M, size);
     let lace_m = SHORE_LACE_M * exp2(0.9 * fringe.z + 0.5 * fringe.w);
-    let edge_m = column / max(fall, SHORE_LEAST_FALL);
+    let edge_m = column / max(length(fall), SHORE_LEAST_FALL);
     let line = maths_smooth(2.0 - 2.0 * edge_m / lace_m);
     let rim = maths_smooth(1.5 - 4.0 * edge_m / lace_m) * maths_smooth(1.1 + 0.5 * fringe.w);
     let sheet = SHORE_SHEET_COVER * maths_smooth(1.0 - column / (SHORE_SHEET_DEPTH * run_up));

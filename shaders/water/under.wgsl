@@ -13,7 +13,7 @@ const UNDER_FAR_M = 2.0;
 // Height, divided by the picture's, down to which a pixel under water must have more water below it in the picture.
 const UNDER_RIM = 0.003;
 // Steps by halves in which the waterline below a pixel is found.
-const UNDER_LINE_STEPS = 6;
+const UNDER_LINE_STEPS = 8;
 // Factor on the size of the bed that a pixel shows through the climbing water, which bends rays strongly, less 1.
 const UNDER_SQUEEZE = 150.0;
 // Whether a part of the lens may stand in the air: if not, there is no waterline to look for.
@@ -91,13 +91,24 @@ fn under_row_m() -> f32 {
   return frame.clip_from_relative[3].z * length(frame.up) * (2.0 / f32(textureDimensions(depth_map).y));
 }
 
+// Noise along the glass, without the kinks of linear interpolation: the mean over the width of a texel.
+fn under_glass_noise(at: f32, row: f32) -> f32 {
+  let step = 0.5 * exp2(UNDER_GLASS_LOD) / f32(textureDimensions(noise_map).x);
+  var sum = 0.0;
+  for (var i = -1; i <= 1; i++) {
+    let weight = select(0.25, 0.5, i == 0);
+    sum += weight * textureSampleLevel(noise_map, noise_sampler, vec2f(at + f32(i) * step, row), 0, UNDER_GLASS_LOD).a;
+  }
+  return sum - 0.5;
+}
+
 // Height to which water climbs the lens in a column of pixels, m: it climbs clean glass higher than greasy glass.
 fn under_climb_m(column: i32) -> f32 {
   let at = (f32(column) * under_row_m()) * UNDER_GLASS_TILES_PER_M;
-  let wide = textureSampleLevel(noise_map, noise_sampler, vec2f(at.x, 0.37), 0, UNDER_GLASS_LOD).a - 0.5;
-  let fine = textureSampleLevel(noise_map, noise_sampler, vec2f(at.y, 0.81), 0, UNDER_GLASS_LOD).a - 0.5;
+  let wide = under_glass_noise(at.x, 0.37);
+  let fine = under_glass_noise(at.y, 0.81);
   let share = UNDER_GLASS.x + UNDER_GLASS.y * wide + UNDER_GLASS.z * fine;
-  return CEILING_CLIMB_M * clamp(share, UNDER_GLASS_LEAST, 1.0);
+  return (CEILING_NEARER * CEILING_CLIMB_M) * clamp(share, UNDER_GLASS_LEAST, 1.0);
 }
 
 // Height of a pixel in the air above the waterline on the lens, m; a large number where the line is not close below.
@@ -107,7 +118,7 @@ fn under_height_above_line_m(pixel: vec2i, ray: vec3f) -> f32 {
   let row_m = under_row_m();
   // The last row known to show air, and the first one known to show water, counted down from the pixel.
   var air = 0;
-  var water = min(i32(ceil(CEILING_CLIMB_M / row_m)) + 1, rows - 2 - pixel.y);
+  var water = min(i32(ceil(CEILING_NEARER * CEILING_CLIMB_M / row_m)) + 1, rows - 2 - pixel.y);
   if water <= 0 || !under_begins(pixel + vec2i(0, water), ray - row * f32(water)) {
     return 1.0;
   }
@@ -181,7 +192,7 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
     let climb_m = under_climb_m(pixel.x);
     is_climbing = height_m < climb_m;
     if is_climbing {
-      lens = ceiling_meniscus(dir_ahead, height_m / climb_m, under_row_m() / climb_m);
+      lens = ceiling_meniscus(dir_ahead, height_m / climb_m);
       squeeze = maths_smooth(8.0 * distance(lens.dir, dir_ahead));
     }
   }

@@ -13,9 +13,13 @@ const WAKE_RIPPLE_M = 1.1;
 const WAKE_DARK_M = 0.6;
 // Distance beyond a hull at which it changes nothing, m.
 const WAKE_REACH_M = 4.0;
-// Length of the drawn wake, m, and the time after which its foam has fallen to 1/e, s.
+// Length of the drawn wake, m, and the times after which have fallen to 1/e: the white water that the stern churns up, the
+// foam that it leaves, the bubbles below it, and the smoothness of the water, s.
 const WAKE_LONGEST_M = 90.0;
-const WAKE_FOAM_S = 6.0;
+const WAKE_CHURN_S = 1.2;
+const WAKE_FOAM_S = 5.0;
+const WAKE_BUBBLES_S = 12.0;
+const WAKE_SMOOTH_S = 48.0;
 
 // Changes of the water at a point by floating objects: waves, roughness, foam and shade.
 struct Wake {
@@ -24,6 +28,9 @@ struct Wake {
   rough: f32,
   // Fraction of the surface that their foam covers, and the distance (x, z) by which it has moved, m.
   foam: f32,
+  // Share of that foam that is white water as of a breaking front, and the density of the bubbles below, as FoamAmount.
+  fresh: f32,
+  plume: f32,
   drift_m: vec2f,
   // Fraction of the skylight that reaches the water.
   open: f32,
@@ -48,9 +55,8 @@ fn wake_edge(k: f32, astern_m: f32, aside_m: f32, start_m: f32, pixel_m: f32) ->
 }
 
 // Adds Kelvin's waves and the foam of a hull that makes way. `astern_m` counts from the bow, `aside_m` from the middle
-// line; the hull is `length_m` long and `half_m` wide to each side. The slope is
-// returned in (x, y): astern and to the side; (z) is the foam, and (w) the fraction of the roughness that is left.
-fn wake_under_way(speed_m_s: f32, astern_m: f32, aside_m: f32, length_m: f32, half_m: f32, pixel: vec2f) -> vec4f {
+// line; the hull is `length_m` long and `half_m` wide to each side. Returns a Wake whose slope is astern and to the side.
+fn wake_under_way(speed_m_s: f32, astern_m: f32, aside_m: f32, length_m: f32, half_m: f32, pixel: vec2f) -> Wake {
   // Transverse waves that keep up with the hull: k = g / speed^2.
   let k = 9.81 / (speed_m_s * speed_m_s);
   let strength = min(speed_m_s * speed_m_s / 9.0, 1.0);
@@ -65,22 +71,26 @@ fn wake_under_way(speed_m_s: f32, astern_m: f32, aside_m: f32, length_m: f32, ha
   let spread = inverseSqrt(1.0 + k * behind_m / 6.2832);
   slope.x += 0.16 * strength * within * cos(k * past_m) * spread * wake_kept(k, pixel.x);
   // Water that the hull has churned spreads slowly.
-  let churned_m = 0.75 * half_m + 0.16 * sqrt(max(past_m, 0.0) * 6.0);
+  let churned_m = 0.65 * half_m + 0.22 * sqrt(max(past_m, 0.0));
   let across = aside_m / (churned_m + pixel.y);
-  let band = exp(-min(across * across * across * across, 40.0)) * smoothstep(-0.4, 0.4, past_m);
+  let band = strength * exp(-min(across * across * across * across, 40.0)) * smoothstep(-0.4, 0.4, past_m);
   let old = max(past_m, 0.0) / speed_m_s;
-  var foam = 0.6 * strength * band * exp(-old / WAKE_FOAM_S);
+  let churn = exp(-old / WAKE_CHURN_S);
+  var foam = band * (0.5 * churn + 0.45 * exp(-old / WAKE_FOAM_S));
   // The bow wave breaks along the edge, beside the hull and a little behind it.
   let crest = (aside_m - edge_m - 0.1) / (0.28 + 0.05 * behind_m + pixel.y);
-  foam = max(foam, 0.95 * strength * exp(-min(crest * crest + behind_m / (1.5 * speed_m_s), 40.0))
-    * smoothstep(-0.6, 0.3, astern_m));
-  return vec4f(slope, foam, 1.0 - 0.75 * strength * band * exp(-old / (8.0 * WAKE_FOAM_S)));
+  let bow = 0.95 * strength * exp(-min(crest * crest + behind_m / (1.5 * speed_m_s), 40.0))
+    * smoothstep(-0.6, 0.3, astern_m);
+  foam = max(foam, bow);
+  let fresh = mix(0.25, 0.9, max(churn, saturate(bow)));
+  let rough = 1.0 - 0.75 * band * exp(-old / WAKE_SMOOTH_S);
+  return Wake(slope, rough, foam, fresh, max(bow, 0.8 * band * exp(-old / WAKE_BUBBLES_S)), vec2f(0.0), 1.0);
 }
 
 // Changes of the water by floating objects at a position (x, z) relative to the point below the eye. `pixel` is the longer and the
 // shorter side of the pixel there, m.
 fn wake_at(place: vec2f, pixel: vec2f) -> Wake {
-  var out = Wake(vec2f(0.0), 1.0, 0.0, vec2f(0.0), 1.0);
+  var out = Wake(vec2f(0.0), 1.0, 0.0, 0.0, 0.0, vec2f(0.0), 1.0);
   for (var i = 0u; i < hull_images.count; i++) {
     // The section at the water line.
     let middle = hull_images.hulls[i].sections[1].middle;
@@ -112,16 +122,20 @@ fn wake_at(place: vec2f, pixel: vec2f) -> Wake {
       * cos(k * from_hull_m - hull_images.hulls[i].ripple_phase) * wake_kept(k, pixel.x);
     var slope = 0.22 * ripple * away;
     var foam = line;
+    var fresh = 0.6;
     if speed_m_s > 0.3 {
       let way = wake_under_way(speed_m_s, at.x + half.x, abs(at.y), 2.0 * half.x, half.y, pixel);
       let fades = saturate(3.0 - 3.0 * at.x / WAKE_LONGEST_M);
-      slope += fades * vec2f(way.x, side * way.y);
-      foam = max(foam, fades * way.z);
-      out.rough *= mix(1.0, way.w, fades);
+      slope += fades * vec2f(way.slope.x, side * way.slope.y);
+      fresh = select(fresh, way.fresh, fades * way.foam > foam);
+      foam = max(foam, fades * way.foam);
+      out.plume = max(out.plume, fades * way.plume);
+      out.rough *= mix(1.0, way.rough, fades);
     }
     out.slope += slope.x * astern + slope.y * starboard;
     if foam > out.foam {
       out.foam = foam;
+      out.fresh = fresh;
       out.drift_m = hull_images.hulls[i].drift_m * astern;
     }
     out.open *= 1.0 - 0.65 * exp(-min(from_hull_m / WAKE_DARK_M, 40.0));
@@ -133,7 +147,7 @@ fn wake_at(place: vec2f, pixel: vec2f) -> Wake {
 fn wake_add_foam(foam: FoamAmount, wake: Wake) -> FoamAmount {
   let added = wake.foam * (1.0 - foam.cover);
   let cover = foam.cover + added;
-  let fresh = (foam.fresh * foam.cover + 0.6 * added) / max(cover, 1e-4);
+  let fresh = (foam.fresh * foam.cover + wake.fresh * added) / max(cover, 1e-4);
   let young = (foam.young * foam.cover + added) / max(cover, 1e-4);
-  return FoamAmount(cover, fresh, max(foam.plume, wake.foam), young);
+  return FoamAmount(cover, fresh, max(foam.plume, max(wake.plume, wake.foam)), young);
 }

@@ -70,11 +70,11 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   }
   var ground: vec4f;
   // Slope of the water's surface relative to that of the ground.
-  var fall = 0.0;
+  var fall = vec2f(0.0);
   if WATER_LAND {
     let size = WATER_TAP_TEXEL_RATIO * foot.length_m;
     ground = land_at(land_place(point.position.xz), land_lod(size));
-    fall = length(slope.mean - land_to_world(ground.yz));
+    fall = slope.mean - land_to_world(ground.yz);
     slope = shore_thin_slope(slope, ground, point.height);
   }
   if SKY_CLOUD_SHADOWS {

@@ -32,106 +32,111 @@ pub struct GalleryPicture {
 pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "A fine day",
-        description: "The sea that the page opens with: a fresh breeze on a long swell, a low sun between \
-                      fair-weather cumulus.",
-        state: "v=2&wind=8&fetch=60&scale2=1&hs2=1.8&swell2=0.8&sun=11&sunaz=18&haze=0.1&clouds=cumulus&glints=1\
-                &gusts=1&bloom=0.06&y=3&heading=30&pitch=2&t=40&afloat=yacht*50*-70",
+        description: "The sea that the page opens with: a fresh breeze on a long swell, a yacht close to the wind, \
+                      and a low sun between fair-weather cumulus.",
+        state: "v=2&wind=8&fetch=60&dir=150&scale2=1&hs2=1.8&swell2=0.8&sun=11&sunaz=18&haze=0.1&clouds=cumulus\
+                &glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=3&heading=30&pitch=2&t=40&afloat=yacht*31*-46",
     },
     GalleryPicture {
         title: "Calm at dawn",
         description: "Beaufort 1 with a very low swell under cirrus: the water mirrors the sky just after sunrise.",
-        state: "v=2&spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&clouds=cirrus&cloudcover=0.4&glints=1\
-                &gusts=1&bloom=0.04&y=3&heading=62&pitch=3&t=40&afloat=yacht*76*-36",
+        state: "v=2&spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&haze=0.5&clouds=cirrus&cloudcover=0.4\
+                &glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=3&heading=62&pitch=3&t=40&afloat=yacht*76*-36",
     },
     GalleryPicture {
         title: "Trade wind",
-        description: "9 m/s from the east, a fully developed sea with fair-weather cumulus, and the swell of a storm \
-                      far to the north: a yacht sails close to the wind.",
-        state: "v=2&spectrum=pm&wind=9&dir=80&scale2=1&dir2=340&hs2=2&tp2=13&sun=34&sunaz=205&clouds=cumulus\
-                &cloudcover=0.3&glints=1&gusts=1&bloom=0.04&y=3.5&heading=250&pitch=2&fov=45&t=40&afloat=yacht*-44*26",
+        description: "9 m/s from the south, a fully developed sea with fair-weather cumulus, and the swell of a \
+                      storm far to the north: a yacht sails close to the wind.",
+        state: "v=2&spectrum=pm&wind=9&dir=170&scale2=1&dir2=340&hs2=2&tp2=13&sun=34&sunaz=205&haze=0.3\
+                &clouds=cumulus&cloudcover=0.4&glints=1&gusts=1&bloom=0.04&localexposure=0.5&y=3.5&heading=250\
+                &pitch=2&fov=45&t=34&afloat=yacht*-32*18",
     },
     GalleryPicture {
-        title: "Gale",
-        description: "Beaufort 9 over 500 km of water: breakers have passed, and leave streaks of foam over pale water \
-                      full of bubbles.",
-        state: "v=2&wind=22&fetch=500&dir=250&sun=15&sunaz=165&haze=0.6&clouds=stratocumulus&cloudcover=0.5&glints=1\
-                &gusts=1&spray=1&exposure=-0.5&bloom=0.04&y=4&heading=241&pitch=0&fov=30&t=54.5",
+        title: "Near gale",
+        description: "Beaufort 7 over 250 km of water: a yacht beats to windward beside the sun's glitter.",
+        state: "v=2&wind=15&fetch=250&dir=250&sun=12&sunaz=335&haze=0.3&clouds=stratocumulus&cloudcover=0.6&glints=1\
+                &gusts=1&spray=1&exposure=-0.3&bloom=0.06&localexposure=0.5&y=4&heading=325&pitch=3&fov=35&t=47\
+                &afloat=yacht*-34*-42",
     },
     GalleryPicture {
         title: "Southern Ocean storm",
-        description: "Beaufort 10 over 800 km of open water, a significant height of 16 m: a crest breaks in the sun \
-                      before a squall.",
-        state: "v=2&wind=26&fetch=800&dir=270&seed=3&sun=14&sunaz=200&haze=0.3&overcast=0.35&clouds=stratocumulus\
-                &cloudcover=0.82&squalls=1&glints=1&gusts=1&spray=1&exposure=-0.6&bloom=0.04&y=2.5&heading=260&pitch=5\
-                &fov=25&t=34.1",
+        description: "Beaufort 10 over 800 km of open water, a significant height of 16 m: crests break before a low \
+                      sun between squalls, and light shines through them.",
+        state: "v=2&wind=26&fetch=800&dir=270&seed=3&sun=10&sunaz=290&haze=0.2&clouds=stratocumulus&cloudcover=0.75\
+                &squalls=1&glints=1&gusts=1&spray=1&exposure=-0.5&bloom=0.06&localexposure=0.5&y=3&heading=272\
+                &pitch=3&fov=28&t=70.5",
     },
     GalleryPicture {
         title: "Spindrift",
-        description: "Beaufort 10 beside the sun's glitter: streaks of foam lie along the wind, which tears spray off \
-                      the crests.",
-        state: "v=2&wind=26&fetch=500&dir=250&sun=12&sunaz=232&haze=0.3&clouds=stratocumulus&cloudcover=0.45&glints=1\
-                &gusts=1&spray=1&exposure=-0.3&bloom=0.04&y=3&heading=210&pitch=0&fov=40&t=31",
+        description: "Beaufort 10 beside the sun's glitter: streaks of foam lie along the wind, which tears spray \
+                      off the crests.",
+        state: "v=2&wind=26&fetch=500&dir=250&sun=12&sunaz=232&haze=0.1&clouds=stratocumulus&cloudcover=0.45&glints=1\
+                &gusts=1&spray=1&exposure=-0.3&bloom=0.06&localexposure=0.5&y=3&heading=210&pitch=0&fov=40&t=31",
     },
     GalleryPicture {
         title: "Long swell",
         description: "A swell of four metres and fourteen seconds from a distant storm, under a light breeze.",
-        state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=6&sunaz=268&haze=0.5&clouds=cirrus\
-                &cloudcover=0.45&glints=1&gusts=1&bloom=0.04&y=4&heading=285&pitch=1&fov=30&t=52&afloat=yacht*-95*-18",
+        state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=6&sunaz=268&haze=0.15\
+                &clouds=cirrus&cloudcover=0.45&glints=1&gusts=1&exposure=-0.35&bloom=0.06&localexposure=0.5&y=4\
+                &heading=285&pitch=1&fov=30&t=52&afloat=yacht*-95*-18",
     },
     GalleryPicture {
         title: "Golden hour",
         description: "A low sun below broken clouds, and a yacht in a moderate breeze on an old swell: waves shade \
                       each other, and the crests between carry the light.",
-        state: "v=2&wind=5.5&fetch=40&dir=225&scale2=1&dir2=205&hs2=1.6&tp2=9&swell2=0.7&sun=3&sunaz=200\
-                &clouds=stratocumulus&cloudcover=0.65&glints=1&gusts=1&bloom=0.04&y=2.5&heading=206&pitch=3&fov=42&t=40\
-                &afloat=yacht*-17*93",
+        state: "v=2&wind=5.5&fetch=40&dir=225&scale2=1&dir2=205&hs2=1.6&tp2=9&swell2=0.7&sun=3&sunaz=200&haze=0.5\
+                &clouds=stratocumulus&cloudcover=0.65&glints=1&gusts=1&exposure=-0.2&bloom=0.06&localexposure=0.5\
+                &y=2.5&heading=206&pitch=3&fov=42&t=40&afloat=yacht*-17*93",
     },
     GalleryPicture {
         title: "Under water",
-        description: "Six metres down: Snell's window in the waves, total reflection around it, and shafts of \
-                      sunlight.",
-        state: "v=2&wind=5&fetch=25&sun=42&sunaz=40&clouds=cumulus&glints=1&gusts=1&bloom=0.04&dive=6&pitch=38&fov=85\
-                &t=10",
+        description: "Four metres down, over ripples of sand with caustics: Snell's window in the waves, total \
+                      reflection around it, and shafts of sunlight.",
+        state: "v=2&wind=4&fetch=25&depth=7&sun=42&sunaz=40&haze=0.3&clouds=cumulus&glints=1&gusts=1&bedcover=0.4\
+                &bloom=0.05&localexposure=0.5&dive=4&heading=30&pitch=12&fov=85&t=18",
     },
     GalleryPicture {
         title: "At the waterline",
-        description: "Half of the lens is under water, over three metres of sand with patches of seagrass: the \
-                      water climbs the glass and bends what lies behind it.",
-        state: "v=2&wind=3&fetch=10&depth=3&sun=38&sunaz=56&clouds=cirrus&glints=1&gusts=1&bedcover=0.5&bloom=0.04\
-                &dive=0.03&heading=110&fov=75&t=9.1",
+        description: "Half of the lens is under water, over three metres of sand with patches of seagrass: the water \
+                      climbs the glass and bends what lies behind it.",
+        state: "v=2&wind=4&fetch=10&dir=60&depth=3&sun=38&sunaz=56&haze=0.3&clouds=cumulus&cloudcover=0.3&glints=1\
+                &gusts=1&bedcover=0.5&bloom=0.04&localexposure=0.5&dive=0.03&heading=110&pitch=-5&fov=70&t=14\
+                &afloat=yacht*22*10",
     },
     GalleryPicture {
         title: "Rain",
-        description: "Rain from a broken deck: streaks, rings and splashes of drops, and a low sun behind the veil.",
-        state: "v=2&wind=4&fetch=20&scale2=1&hs2=0.8&tp2=7&swell2=0.7&sun=10&sunaz=25&overcast=0.4&clouds=stratocumulus\
-                &cloudcover=0.9&rain=50&squalls=0.5&glints=1&gusts=1&exposure=0.3&bloom=0.04&heading=18&fov=36&t=40\
-                &afloat=yacht*26*-95",
+        description: "A yacht in a shower from a broken deck: streaks, rings and splashes of drops, and a low sun \
+                      behind the veil.",
+        state: "v=2&wind=5&fetch=10&dir=300&scale2=1&hs2=0.5&tp2=7&swell2=0.7&sun=9&sunaz=36&clouds=stratocumulus\
+                &cloudcover=0.7&rain=15&squalls=1&glints=1&gusts=1&exposure=-0.2&bloom=0.05&localexposure=0.5&y=1.5\
+                &heading=20&pitch=2&fov=40&t=40&afloat=yacht*18*-40",
     },
     GalleryPicture {
         title: "Shallow tropical water",
         description: "Four metres of water over sand, seagrass and reefs, with caustics, and a yacht that crosses \
                       them.",
-        state: "v=2&spectrum=tma&wind=4&fetch=8&depth=4&sun=52&sunaz=70&clouds=cumulus&cloudcover=0.2&glints=1\
-                &gusts=1&bedcover=0.35&caustics=1&bloom=0.04&heading=220&pitch=-8&fov=52&t=40&afloat=yacht*-28*62",
+        state: "v=2&spectrum=tma&wind=6&fetch=6&dir=140&depth=4&sun=52&sunaz=70&haze=0.3&clouds=cumulus\
+                &cloudcover=0.25&glints=1&gusts=1&bedcover=0.35&caustics=1&exposure=-0.2&bloom=0.04&localexposure=0.5\
+                &heading=220&fov=45&t=40&afloat=yacht*-20*34",
     },
     GalleryPicture {
         title: "Dusk",
         description: "The sun has set for the sea, but not yet for the cirrus high above it.",
-        state: "v=2&wind=4&fetch=20&scale2=1&hs2=1.2&tp2=9&swell2=0.7&sun=-1.5&sunaz=285&clouds=cirrus\
-                &cloudcover=0.5&glints=1&gusts=1&bloom=0.04&y=3&heading=294&pitch=3&t=40&afloat=yacht*-58*-13",
+        state: "v=2&wind=4&fetch=20&scale2=1&hs2=1.2&tp2=9&swell2=0.7&sun=-1.5&sunaz=285&clouds=cirrus&cloudcover=0.5\
+                &glints=1&gusts=1&bloom=0.04&localexposure=0.5&y=3&heading=294&pitch=3&t=40&afloat=yacht*-58*-13",
     },
     GalleryPicture {
         title: "Close to the ripples",
         description: "A light breeze seen from 1.2 m, with gravity and capillary waves (Elfouhaily's spectrum).",
         state: "v=2&spectrum=elfouhaily&wind=3&fetch=5&spread=elfouhaily&dispersion=capillary&sun=12&sunaz=52\
-                &haze=0.5&clouds=cirrus&glints=1&gusts=1&bloom=0.04&y=1.2&heading=62&pitch=-6&t=30",
+                &haze=0.2&clouds=cirrus&glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=1.2&heading=62&pitch=-6&t=30",
     },
     GalleryPicture {
         title: "From the air",
         description: "A strong breeze from 55 m: whitecaps with their fading trails, a yacht with its wake, and \
                       cumulus to the horizon.",
-        state: "v=2&wind=11&fetch=135&sun=30&sunaz=60&clouds=cumulus&glints=1&gusts=1&bloom=0.04&y=55\
-                &heading=0&pitch=-9&t=40&afloat=yacht*22*-120",
+        state: "v=2&wind=11&fetch=135&sun=30&sunaz=60&haze=0.4&clouds=cumulus&glints=1&gusts=1&bloom=0.04\
+                &localexposure=0.5&y=55&heading=0&pitch=-9&t=40&afloat=yacht*22*-120",
     },
 ];
 

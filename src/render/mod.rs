@@ -197,7 +197,7 @@ impl Renderer {
             self.record_view(gpu, encoder, maps, scene);
         } else {
             self.record_picture(gpu, encoder, scene);
-            self.tone.record_bloom(encoder, &self.timer);
+            self.tone.record_measures(encoder, &self.timer);
         }
         self.tone.record(encoder, &self.timer);
     }

@@ -107,7 +107,7 @@ impl ReferenceRenderer {
         let view = mean.create_view(&wgpu::TextureViewDescriptor::default());
         self.renderer.set_picture(gpu, scene, &view, false);
         let mut encoder = gpu.encoder("reference");
-        self.renderer.tone.record_bloom(&mut encoder, &Timer::default());
+        self.renderer.tone.record_measures(&mut encoder, &Timer::default());
         self.renderer.tone.record(&mut encoder, &Timer::default());
         gpu.submit(encoder);
     }

@@ -237,6 +237,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ),
     ("drops/rain", &[PICTURE, SURFACE, part!("drops/drop.wgsl"), part!("drops/rain.wgsl")]),
     ("film/bloom", &[part!("film/bloom.wgsl")]),
+    ("film/local_exposure", &[SKY_COMMON, part!("film/local_exposure.wgsl")]),
     ("film/tone", &[SKY_COMMON, SCREEN, part!("film/curves.wgsl"), part!("film/tone.wgsl")]),
     ("film/present", &[SCREEN, part!("film/present.wgsl")]),
     ("views/map", &[MATHS, SEA, SCREEN, VIEWS, part!("views/map.wgsl")]),

@@ -1,7 +1,8 @@
 //! The pass that turns the linear light of a picture into screen colours (shaders/film/tone.wgsl): smoothed edges,
-//! bloom, exposure, tone curve, encoding, dither.
+//! bloom, exposure, local exposure, tone curve, encoding, dither.
 
 use super::bloom::BloomPass;
+use super::local_exposure::LocalExposurePass;
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, RenderProgram};
 use crate::gpu::layout::gpu_struct;
@@ -32,6 +33,9 @@ gpu_struct! {
         dither: f32,
         /// 1 if the picture already holds screen colours, as the false-colour views do; it is then copied. Else 0.
         is_encoded: u32,
+        /// Share of the brightness of bright areas of the picture that local exposure takes away, in doublings.
+        local_exposure: f32,
+        unused: [f32; 3],
     }
 }
 
@@ -75,14 +79,22 @@ pub struct TonePass {
     pipeline: wgpu::RenderPipeline,
     sampler: wgpu::Sampler,
     bloom: BloomPass,
+    local_exposure: LocalExposurePass,
     picture: Option<TonedPicture>,
+}
+
+/// Parts of the film that have textures of their own.
+#[derive(Clone, Copy, PartialEq)]
+struct PictureParts {
+    bloom: bool,
+    local_exposure: bool,
 }
 
 /// A picture in linear light that the tone pass reads, and its finished colours.
 struct TonedPicture {
     /// The picture in linear light.
     hdr: wgpu::TextureView,
-    has_bloom: bool,
+    parts: PictureParts,
     group: wgpu::BindGroup,
     /// The finished picture in screen colours, which the pass draws.
     finished: wgpu::TextureView,
@@ -97,6 +109,7 @@ impl TonePass {
             BindingType::Uniform(size_of::<LightBuffer>()),
             BindingType::Texture,
             BindingType::Sampler,
+            BindingType::Texture,
             BindingType::Texture,
         ];
         let layout = gpu.bind_group_layout("tone", wgpu::ShaderStages::FRAGMENT, &bindings);
@@ -114,36 +127,39 @@ impl TonePass {
             pipeline,
             sampler,
             bloom: BloomPass::new(gpu, shaders),
+            local_exposure: LocalExposurePass::new(gpu, shaders),
             picture: None,
         }
     }
 
-    /// Sets the picture `hdr` (linear light) that the pass reads, and allocates its finished picture, and bloom
-    /// textures if `film` has bloom. No-op if unchanged. Returns the finished picture.
+    /// Sets the picture `hdr` (linear light) that the pass reads, and allocates its finished picture, and
+    /// the textures of bloom and local exposure if `film` has them. No-op if unchanged. Returns the finished picture.
     pub fn set_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, film: &FilmLook) -> &wgpu::TextureView {
-        let has_bloom = film.bloom > 0.0;
-        if let Some(old) = self.picture.take_if(|p| p.hdr != *hdr || p.has_bloom != has_bloom) {
+        let parts = PictureParts { bloom: film.bloom > 0.0, local_exposure: film.local_exposure > 0.0 };
+        if let Some(old) = self.picture.take_if(|p| p.hdr != *hdr || p.parts != parts) {
             old.finished.texture().destroy();
         }
-        let picture = self.picture.take().unwrap_or_else(|| self.bind_picture(gpu, hdr, has_bloom));
+        let picture = self.picture.take().unwrap_or_else(|| self.bind_picture(gpu, hdr, parts));
         &self.picture.insert(picture).finished
     }
 
-    fn bind_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, has_bloom: bool) -> TonedPicture {
+    fn bind_picture(&mut self, gpu: &Gpu, hdr: &wgpu::TextureView, parts: PictureParts) -> TonedPicture {
         let size = [hdr.texture().width(), hdr.texture().height()];
-        self.bloom.set_picture(gpu, has_bloom.then_some((hdr, size)));
+        self.bloom.set_picture(gpu, parts.bloom.then_some((hdr, size)));
+        self.local_exposure.set_picture(gpu, parts.local_exposure.then_some(hdr));
         let resources = [
             self.uniform.buffer.as_entire_binding(),
             self.light_buffer.as_entire_binding(),
             wgpu::BindingResource::TextureView(hdr),
             wgpu::BindingResource::Sampler(&self.sampler),
             wgpu::BindingResource::TextureView(self.bloom.texture_view().unwrap_or(hdr)),
+            wgpu::BindingResource::TextureView(self.local_exposure.texture_view().unwrap_or(hdr)),
         ];
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
         let finished = gpu.texture("finished picture", [size[0], size[1], 1], 1, FINISHED_FORMAT, usage);
         TonedPicture {
             hdr: hdr.clone(),
-            has_bloom,
+            parts,
             group: gpu.bind_group("tone", &self.layout, &resources),
             finished: finished.create_view(&wgpu::TextureViewDescriptor::default()),
         }
@@ -163,14 +179,17 @@ impl TonePass {
             bloom_fraction: film.bloom as f32,
             dither: if film.dither { 1.0 / 255.0 } else { 0.0 },
             is_encoded: u32::from(is_encoded),
+            local_exposure: film.local_exposure as f32,
+            unused: [0.0; 3],
         };
         self.uniform.write(gpu, &uniform);
     }
 
-    /// Records the compute passes that make the bloom of the picture last passed to `set_picture`; none if bloom is
-    /// off.
-    pub fn record_bloom(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
+    /// Records the compute passes that make the bloom of the picture last passed to `set_picture`, and find how bright its
+    /// areas are; none for what is off.
+    pub fn record_measures(&self, encoder: &mut wgpu::CommandEncoder, timer: &Timer) {
         self.bloom.run(encoder, timer);
+        self.local_exposure.run(encoder, timer);
     }
 
     /// Records the pass, the last one of a frame, which draws the finished picture of [`Self::set_picture`]; nothing

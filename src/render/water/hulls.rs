@@ -2,7 +2,7 @@
 
 use super::hull_images::{DRIFT_PERIOD_M, yacht_speed_m_s};
 use super::hull_shapes::{HullFacet, HullLine, boat_hull, buoy_hull, in_shade, shade_of_triangle};
-use super::yacht_foam::{FoamCorner, yacht_foam};
+use super::yacht_foam::{FoamCorner, roughness, yacht_foam};
 use super::yacht_shape::{sail_shades, yacht_hull, yacht_lines, yacht_mast};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
@@ -130,7 +130,7 @@ impl HullPass {
         let (buffer, _) = self.vertices.get_or_insert_with(|| {
             let largest = self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
             // At every speed at which there is white water, it has equally many triangles.
-            let foam = yacht_foam(4.0, 0.0).len();
+            let foam = yacht_foam(4.0, 0.0, 0.0).len();
             let largest = largest + (6 * self.lines.len() + foam).max(3 * self.mast.len());
             let bytes = (MAX_FLOATING_OBJECTS * largest * size_of::<HullVertex>()) as u64;
             let buffer = gpu.storage_buffer("hulls", bytes);
@@ -241,7 +241,8 @@ fn foam_vertices(pose: &HullPose, scene: &Scene) -> impl Iterator<Item = HullVer
     let sag_m = pose.water_sag_m;
     let speed_m_s = yacht_speed_m_s(scene.sea.wind_m_s);
     let drift_m = (speed_m_s * scene.t_s).rem_euclid(DRIFT_PERIOD_M);
-    yacht_foam(speed_m_s, heel_rad).into_iter().map(move |FoamCorner { at, pattern: [along_m, up, white] }| {
+    let foam = yacht_foam(speed_m_s, heel_rad, roughness(scene.sea.wind_m_s));
+    foam.into_iter().map(move |FoamCorner { at, pattern: [along_m, up, white] }| {
         let at = at + DVec3::Y * (sag_m * (at.z / 5.0).powi(2).min(1.5));
         let pattern = [along_m - drift_m, up, white].map(|x| x as f32);
         HullVertex { normal: pattern, ..axes.vertex(at, DVec3::Y, [FOAM_COLOUR, 0]) }

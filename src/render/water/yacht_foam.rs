@@ -19,8 +19,15 @@ const FOOT_M: f64 = -0.4;
 /// A sheet of white water: points of the water below its crest, with the height of the crest (m) and its whiteness.
 type Crest = Vec<(DVec3, f64, f64)>;
 
-/// Triangles of the white water around a yacht that heels by `heel_rad` to starboard and makes way.
-pub fn yacht_foam(speed_m_s: f64, heel_rad: f64) -> Vec<FoamCorner> {
+/// How much higher the white water of a yacht is in a rough sea, 0 to 1: from a moderate to a near gale, waves throw ever
+/// more of it up.
+pub fn roughness(wind_m_s: f64) -> f64 {
+    ((wind_m_s - 6.0) / 9.0).clamp(0.0, 1.0)
+}
+
+/// Triangles of the white water around a yacht that heels by `heel_rad` to starboard and makes way. `rough` is
+/// [`roughness`].
+pub fn yacht_foam(speed_m_s: f64, heel_rad: f64, rough: f64) -> Vec<FoamCorner> {
     // The height to which water rises that the stem stops, and a little more, because it splashes.
     let rise_m = 1.3 * speed_m_s * speed_m_s / (2.0 * 9.81);
     let white = (speed_m_s / 2.6).powi(2).min(1.0);
@@ -30,7 +37,7 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64) -> Vec<FoamCorner> {
     }
     for side in [-1.0, 1.0] {
         // Leeward, the heeled hull presses down the water.
-        let press = if side * heel_rad > 0.0 { 1.0 } else { 0.75 };
+        let press = if side * heel_rad > 0.0 { 1.0 } else { 0.75 + 0.2 * rough };
         let line = water_line(side, heel_rad);
         let [stem, stern] = [line[0].z, line[line.len() - 1].z];
         let beside = |z: f64| {
@@ -43,8 +50,8 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64) -> Vec<FoamCorner> {
         let crest = (0..=36).map(|i| {
             let z = stem - 0.15 + f64::from(i) * (stern - stem) / 36.0;
             let bow = bell(z, stem + 0.5, 0.5).max(0.8 * bell(z, stem + 1.1, 1.3));
-            let high = 1.2 * bow + 0.3 + 0.3 * bell(z, stern, 1.2);
-            let shown = 0.6 + 0.5 * bow + 0.2 * bell(z, stern, 1.5);
+            let high = (1.2 + 0.8 * rough) * bow + 0.3 + 0.3 * rough + 0.3 * bell(z, stern, 1.2);
+            let shown = 0.6 + 0.2 * rough + 0.5 * bow + 0.2 * bell(z, stern, 1.5);
             (beside(z) + DVec3::X * (side * 0.03), press * rise_m * high, white * press * shown)
         });
         sheet(&mut corners, &crest.collect(), side);
@@ -109,9 +116,13 @@ mod tests {
 
     #[test]
     fn white_water_needs_speed_and_stays_near_the_water() {
-        assert!(yacht_foam(0.5, 0.0).is_empty());
-        let foam = yacht_foam(3.0, 0.3);
+        assert!(yacht_foam(0.5, 0.0, 1.0).is_empty());
+        let foam = yacht_foam(3.0, 0.3, 0.0);
         assert!(foam.len().is_multiple_of(3) && foam.iter().all(|c| (-0.5..1.0).contains(&c.at.y)));
+        // A rough sea throws it higher.
+        let highest = |foam: &[FoamCorner]| foam.iter().map(|c| c.at.y).fold(0.0, f64::max);
+        let rough = highest(&yacht_foam(3.0, 0.3, roughness(15.0)));
+        assert!((1.2..1.8).contains(&(rough / highest(&foam))), "{rough}");
         // The heeled hull lies deeper to leeward.
         let widest = |side: f64| water_line(side, 0.3).iter().map(|p| side * p.x).fold(0.0, f64::max);
         assert!(widest(1.0) > widest(-1.0) + 0.2, "{} {}", widest(1.0), widest(-1.0));

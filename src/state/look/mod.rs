@@ -65,6 +65,9 @@ parameters! {
         /// Fraction of the light that the lens scatters around bright objects (Jimenez 2014); the total light does not
         /// change. 0.04 is a clean lens, 0.3 a misted one.
         bloom: f64 = 0.0 => ("bloom", "Bloom", "", number(0.0, 1.0), "off"),
+        /// Share by which bright areas of the picture are exposed less, so that the sky around the sun keeps its clouds:
+        /// 0 exposes all areas alike, 1 shows all bright ones alike.
+        local_exposure: f64 = 0.0 => ("localexposure", "Local exposure", "", number(0.0, 1.0), "off"),
         /// Adds noise of one 8-bit step, which hides banding in smooth skies.
         dither: bool = true => ("dither", "Dither", "", Flag),
     }
