@@ -218,8 +218,8 @@ fn water_climbs_the_lens_as_it_climbs_glass() {
         assert!(light.iter().all(|p| p.iter().all(|c| c.is_finite()) && p[3] >= 0.99), "a hole at {dive_m} m");
         // The lens is 0.1 m before the eye.
         let line = 0.5 * f64::from(SIZE[1]) * (1.0 - dive_m / 0.1 / view.tan_half_fov[1]);
-        // Water climbs glass by 3.8 mm (WGSL `CEILING_CLIMB_M`), on a port at 10 cm / 2.2 (`CEILING_NEARER`).
-        let climb = 0.5 * f64::from(SIZE[1]) * 2.2 * 0.0038 / 0.1 / view.tan_half_fov[1];
+        // Water climbs glass by 3.8 mm (WGSL `CEILING_CLIMB_M`), on a port at 10 cm / 1.4 (`CEILING_NEARER`).
+        let climb = 0.5 * f64::from(SIZE[1]) * 1.4 * 0.0038 / 0.1 / view.tan_half_fov[1];
         for x in 0..SIZE[0] {
             // Water is much less red than the air and what it mirrors.
             let ratio = |y: u32| light[(y * SIZE[0] + x) as usize][0] / light[(y * SIZE[0] + x) as usize][2];

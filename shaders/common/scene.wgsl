@@ -17,3 +17,15 @@
 
 // Whether the sun is so low that land shades land and water.
 override LAND_SHADOWS: bool = false;
+
+// How much brighter than its mean the sky is on the side of a low (x) and of a high sun (y), and darker on the other, as a
+// steep surface sees it; and the sine of the sun's elevation from which it counts as high.
+const SCENE_SKY_CONTRAST = vec2f(0.85, 0.5);
+const SCENE_HIGH_SUN = 0.5;
+
+// Change of the skylight, relative to its mean, on a surface with the normal `n` that faces the sun or looks away from it.
+fn scene_skylight_change(n: vec3f) -> f32 {
+  let l = frame.sun_direction;
+  let most = mix(SCENE_SKY_CONTRAST.x, SCENE_SKY_CONTRAST.y, saturate(l.y / SCENE_HIGH_SUN));
+  return most * (1.0 - sky.overcast) * dot(n.xz, l.xz) * inverseSqrt(max(dot(l.xz, l.xz), 1e-8));
+}

@@ -172,7 +172,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   // A slope sees less of the sky and, instead, ground nearby, which reflects a fifth of the light that falls on it.
   let level = sunlight * max(l.y, 0.0) + light.sky_irradiance;
   let up = 0.5 + 0.5 * n.y;
-  let sky_light = open * (up * light.sky_irradiance + (1.0 - up) * 0.2 * level);
+  let above = up * (1.0 + scene_skylight_change(n));
+  let sky_light = open * (above * light.sky_irradiance + (1.0 - up) * 0.2 * level);
   let to_sun = dot(n, l);
   // Grass is lit from both sides.
   let cosine = max(to_sun, select(0.0, -COVER_BLADE_THROUGH * to_sun, shown.y < 0.0));

@@ -11,6 +11,11 @@ const LAND_NO_WATER_M = 5e8;
 const LAND_FILM_ROUGHNESS = 0.025;
 const LAND_FILM_TILT = 0.5;
 
+// Share of a film of water that ground of the slope `steep` keeps: all of it lies on sand, none on rock.
+fn land_film_share(steep: f32) -> f32 {
+  return maths_smooth(2.0 - 5.5 * steep);
+}
+
 // Position in the frame of the coast, m, of a point (x, z) relative to the one below the eye, m.
 fn land_place(at: vec2f) -> vec2f {
   return land.eye_place + land_from_world(at);

@@ -67,7 +67,7 @@ fn swash_film(cover: f32, height: f32, run_up: f32, bend: f32, steep: f32) -> f3
   // No lobe goes beyond the run-up, where nothing of this is computed.
   let lobe = max(SWASH_SWEPT_LOBES * bend, SWASH_SWEPT_HEIGHTS.y - 1.0);
   let below = 1.0 - maths_rise(height / max(run_up, 0.05) + lobe, SWASH_SWEPT_HEIGHTS);
-  return below * maths_rise(cover, SWASH_SWEPT) * maths_smooth(2.0 - 6.0 * steep);
+  return below * maths_rise(cover, SWASH_SWEPT) * land_film_share(steep);
 }
 
 // Part of the foam of a wave that stays on the film.

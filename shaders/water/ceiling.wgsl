@@ -14,8 +14,8 @@ const CEILING_FOAM_TRANSMITTANCE = 0.4;
 const CEILING_CAPILLARY_M = 0.0027;
 const CEILING_CLIMB_M = 0.0038;
 // How much higher that looks than at the point where the rays of the picture begin: the glass before a camera's lens is
-// nearer to it, at 4.5 instead of 10 cm.
-const CEILING_NEARER = 2.2;
+// nearer to it, at 7 instead of 10 cm.
+const CEILING_NEARER = 1.4;
 // Height of the bright band of the climbing water and half its width, relative to the whole height.
 const CEILING_BAND = vec2f(0.55, 0.3);
 // Height from which the climbing water goes over into what lies behind it, relative to the whole height. The lens does not

@@ -64,11 +64,6 @@ fn hull_radiance_below(in: HullFragment, n: vec3f, dir: vec3f, distance_m: f32) 
   return surface * medium_transmittance(distance_m) + medium_radiance(dir, eye_m, distance_m, 1.0);
 }
 
-// How much brighter than its mean the sky is on the side of a low (x) and of a high sun (y), and darker on the other, as a
-// hull sees it; and the sine of the sun's elevation from which it counts as high.
-const HULL_SKY_CONTRAST = vec2f(0.85, 0.5);
-const HULL_HIGH_SUN = 0.5;
-
 // Number of seams between the panels of a sail, from foot to head.
 const HULL_SEAMS = 11.0;
 // Half the width of a seam relative to the distance of two, and of the tape along the edges relative to the chord.
@@ -125,11 +120,9 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let sun_cosine = dot(n, frame.sun_direction);
   let sun = sunlight * max(sun_cosine, 0.0);
   let on_sea = light.sky_irradiance + all_sunlight * max(frame.sun_direction.y, 0.0);
-  let facing_sun = dot(n.xz, normalize(frame.sun_direction.xz + vec2f(1e-6, 0.0)));
   // A sail also glows with the sky behind it, which lowers the contrast between its sides. Near its leading edge, mast
   // and sails hide a part of the sky.
-  let most = mix(HULL_SKY_CONTRAST.x, HULL_SKY_CONTRAST.y, saturate(frame.sun_direction.y / HULL_HIGH_SUN));
-  let contrast = most * facing_sun * (1.0 - 2.0 * paint.a);
+  let contrast = scene_skylight_change(n) * (1.0 - 2.0 * paint.a);
   let hidden = select(0.0, HULL_LUFF_SHADE * exp(-5.0 * in.cloth.x), in.cloth.y > 0.0);
   let from_sky = light.sky_irradiance * (up * (1.0 + contrast) * (1.0 - hidden));
   let around = from_sky + on_sea * HULL_SEA_REFLECTANCE * (1.0 - up);
@@ -205,7 +198,8 @@ fn hull_foam(position: vec3f, pattern: vec3f, colour: vec3f) -> vec4f {
   let at = vec2f(pattern.x, pattern.y * 0.6);
   let torn = 0.5 * hull_noise(at * 3.0) + 0.5 * hull_noise(at * vec2f(8.0, 10.0) + 31.0);
   let thick = 1.2 * min(pattern.z, 1.0) - pattern.y * pattern.y;
-  let opacity = smoothstep(-0.1, 0.4, thick - 0.6 * torn) * saturate(3.0 * pattern.z);
+  // The crest is torn more than the foot.
+  let opacity = smoothstep(-0.1, 0.4, thick - (0.5 + 0.5 * pattern.y) * torn) * saturate(3.0 * pattern.z);
   // Thick foam is lit from all sides, from above most, and its hollows are darker.
   let n = normalize(vec3f(-dir.x, 1.0, -dir.z));
   let sun = cloud_sun_irradiance() * (0.35 + 0.55 * max(dot(n, frame.sun_direction), 0.0));

@@ -77,7 +77,7 @@ fn bed_shore_ground(ground: BedGround, at: vec2f, column: f32, size: f32) -> Bed
 // Slopes of the water at a place with the ground of land_at below it, where its surface has the height `height`, m.
 fn shore_thin_slope(slope: WaterSlope, ground: vec4f, height: f32) -> WaterSlope {
   // Water that washes rock is no film.
-  let sand = maths_smooth(2.0 - 5.0 * length(ground.yz));
+  let sand = land_film_share(length(ground.yz));
   let share = sand * (1.0 - maths_smooth((height - ground.x) / SHORE_THIN_M));
   var out = slope;
   out.mean = mix(slope.mean, LAND_FILM_TILT * land_to_world(ground.yz), share);

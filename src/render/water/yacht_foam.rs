@@ -52,7 +52,9 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64, rough: f64) -> Vec<FoamCorner> 
             let bow = bell(z, stem + 0.5, 0.5).max(0.8 * bell(z, stem + 1.1, 1.3));
             let high = (1.2 + 0.8 * rough) * bow + 0.3 + 0.3 * rough + 0.3 * bell(z, stern, 1.2);
             let shown = 0.6 + 0.2 * rough + 0.5 * bow + 0.2 * bell(z, stern, 1.5);
-            (beside(z) + DVec3::X * (side * 0.03), press * rise_m * high, white * press * shown)
+            // The sheet begins thin before the stem: a full edge would be straight.
+            let begun = (f64::from(i) / 5.0).min(1.0);
+            (beside(z) + DVec3::X * (side * 0.03), press * rise_m * high, white * press * shown * begun)
         });
         sheet(&mut corners, &crest.collect(), side);
         // The bow wave and the stern wave run away from the hull.
