@@ -265,6 +265,10 @@ fn the_costs_of_mesh_and_tone_are_what_they_execute() {
     let tone = instrument::fragment(&text("film/tone"), "fragment", 100);
     let mut ocean = ocean(&gpu, &[("film/tone", &tone)]);
     let [_, shown] = picture(&gpu, &mut ocean, SIZE_PX);
+    ocean.set_params(&common::params("localexposure=0.5"));
+    let [_, locally_exposed] = picture(&gpu, &mut ocean, SIZE_PX);
+    ocean.set_params(&Params::default());
+    picture(&gpu, &mut ocean, SIZE_PX);
     let params = Params::default();
     let planned = planned_vertex_count(&params, &Plan::new(&params), SIZE_PX);
     assert_eq!(planned, ocean.vertex_count(), "budgets know the number of vertices without a GPU");
@@ -277,6 +281,7 @@ fn the_costs_of_mesh_and_tone_are_what_they_execute() {
         ("MESH_VERTEX_COST", without_loops("water/light", "mesh_vertex"), cost::MESH_VERTEX_COST),
         ("MESH_FRAGMENT_COST", without_loops("water/light", "mesh_fragment"), cost::MESH_FRAGMENT_COST),
         ("TONE_FRAGMENT_COST", of_pixels(&tone, &shown, 100), cost::TONE_FRAGMENT_COST),
+        ("TONE_LOCAL_FRAGMENT_COST", of_pixels(&tone, &locally_exposed, 100), cost::TONE_LOCAL_FRAGMENT_COST),
     ]);
 }
 
