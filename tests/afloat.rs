@@ -39,8 +39,9 @@ fn asked(gpu: &Gpu, state: &str) -> Kernel<1, 1> {
     let frame = render::frame_uniform(&scene, ocean.maps(), [4096, 4096]);
     let mut kernel = Kernel::<1, 1>::new(gpu, &wgsl::shaders(), "water/light", ASK);
     let uniform = |bytes: &[u8]| wgsl::buffer(gpu, bytes, BufferUsages::UNIFORM);
-    let [frame, light, material, hulls] = [
+    let [frame, sky, light, material, hulls] = [
         uniform(bytemuck::bytes_of(&frame)),
+        uniform(&[0; 512]),
         uniform(&[0; 512]),
         uniform(bytemuck::bytes_of(&MaterialUniform::new(&scene))),
         uniform(bytemuck::bytes_of(&HullImages::new(&scene))),
@@ -49,6 +50,7 @@ fn asked(gpu: &Gpu, state: &str) -> Kernel<1, 1> {
         0,
         &[
             (0, frame.as_entire_binding()),
+            (1, sky.as_entire_binding()),
             (2, light.as_entire_binding()),
             (9, material.as_entire_binding()),
             (14, hulls.as_entire_binding()),

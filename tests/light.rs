@@ -318,8 +318,8 @@ fn bright_areas_of_a_picture_are_exposed_less() {
             let [around, gain, ..] = found[0];
             let expected = spline(*place);
             assert!((around - expected).abs() < 0.03, "{place:?}: {around} for {expected}");
-            // The exposure of 0.5 makes one doubling less; areas count as bright from half the light of white.
-            let over = around - 1.0 + 1.0;
+            // Areas count as bright from an exposed luminance of 0.5, which is the exposure here.
+            let over = around;
             let held = -gain.log2();
             let least = share * over.max(0.0);
             assert!((least - 1e-4..=least + share * 0.31).contains(&held), "{place:?}: {held} for {over}");

@@ -22,10 +22,18 @@ override LAND_SHADOWS: bool = false;
 // steep surface sees it; and the sine of the sun's elevation from which it counts as high.
 const SCENE_SKY_CONTRAST = vec2f(0.85, 0.5);
 const SCENE_HIGH_SUN = 0.5;
+// Sines of the sun's elevation, 12 and 6 degrees below the horizon, between which its side of the sky becomes brighter.
+const SCENE_NIGHT_AND_DUSK = vec2f(-0.208, -0.105);
+// Least horizontal part of the direction to the sun, so that a sun in the zenith has no side.
+const SCENE_LEAST_SIDE = 0.3;
 
 // Change of the skylight, relative to its mean, on a surface with the normal `n` that faces the sun or looks away from it.
+// A deck of clouds and a sky from a file have no brighter side.
 fn scene_skylight_change(n: vec3f) -> f32 {
   let l = frame.sun_direction;
   let most = mix(SCENE_SKY_CONTRAST.x, SCENE_SKY_CONTRAST.y, saturate(l.y / SCENE_HIGH_SUN));
-  return most * (1.0 - sky.overcast) * dot(n.xz, l.xz) * inverseSqrt(max(dot(l.xz, l.xz), 1e-8));
+  let clear = (1.0 - sky.overcast) * light.cloud_sun_transmittance * (1.0 - sky.has_image);
+  let side = dot(n.xz, l.xz) / max(length(l.xz), SCENE_LEAST_SIDE);
+  let day = saturate((l.y - SCENE_NIGHT_AND_DUSK.x) / (SCENE_NIGHT_AND_DUSK.y - SCENE_NIGHT_AND_DUSK.x));
+  return most * clear * day * side;
 }

@@ -24,8 +24,7 @@ const TONE_FILM_BLUE_TURN = 0.14;
 // Binary logarithm of the light of the brightest channel from which highlights fade no further.
 const TONE_FILM_WHITEST = 5.0;
 // Shoulder: from this binary logarithm of the light on, light is held back, in the end by this share of its doublings.
-// It never stops to rise: so the glow around the sun falls off over all its decades and keeps its hue, and the disc of
-// the sun in it is white.
+// So the glow around the sun falls off over more decades and keeps its hue, and the sun burns out in a white core.
 const TONE_FILM_SHOULDER = -0.5;
 const TONE_FILM_HELD = 0.28;
 

@@ -6,7 +6,7 @@
 // Threads in each direction of a workgroup, which fills one cell, and samples in each direction of a thread.
 const LOCAL_THREADS = 16u;
 const LOCAL_SAMPLES = 2u;
-// Least luminance that counts: that of a sky without a moon.
+// Least luminance that counts, so that the logarithm of black is finite.
 const LOCAL_DARKEST = 1e-8;
 
 var<workgroup> local_sums: array<f32, 256>;

@@ -1,5 +1,5 @@
 // Turns the linear light of a picture into the colours of the screen, at the picture's size: smoothed edges, bloom,
-// exposure, tone curve, encoding, dither.
+// exposure, local exposure, tone curve, encoding, dither.
 
 // Whether edges are smoothed. A reference picture averages samples instead.
 override TONE_SMOOTH: bool = true;

@@ -13,8 +13,8 @@ const CEILING_FOAM_TRANSMITTANCE = 0.4;
 // the upper edge its surface stands upright.
 const CEILING_CAPILLARY_M = 0.0027;
 const CEILING_CLIMB_M = 0.0038;
-// How much higher that looks than at the point where the rays of the picture begin: the glass before a camera's lens is
-// nearer to it, at 7 instead of 10 cm.
+// Factor on the height of the climbing water in the picture. The rays of the picture begin 10 cm before the eye, but the
+// glass before a camera's lens is only 7 cm before it, so that the water on the glass looks higher.
 const CEILING_NEARER = 1.4;
 // Height of the bright band of the climbing water and half its width, relative to the whole height.
 const CEILING_BAND = vec2f(0.55, 0.3);
@@ -146,7 +146,7 @@ fn ceiling_meniscus(dir: vec3f, edge: f32) -> CeilingMeniscus {
   let n = vec3f(ahead.x * upright, level, ahead.y * upright);
   let cosine = dot(dir, n);
   if cosine <= 0.0 {
-    return CeilingMeniscus(dir, 1.0, vec3f(0.0));
+    return ceiling_blurred_edge(CeilingMeniscus(dir, 1.0, vec3f(0.0)), dir, edge);
   }
   let facet = ceiling_facet(dir, n);
   let mirrored = reflect(dir, n);

@@ -8,7 +8,7 @@ const HULL_IMAGE_SEA_REFLECTANCE = vec3f(0.03, 0.05, 0.06);
 // Blur of the edges of a shadow: the radius of the sun's disc, as a tangent.
 const HULL_IMAGE_SUN_BLUR = 0.0047;
 
-// Distance, m, over which a section fades that begins to lie behind the place.
+// Distance, m, over which a section is faded out as it comes to lie behind the place from which the rays start.
 const HULL_IMAGE_BEHIND_M = 0.5;
 
 // Light that reaches the two paints of a side: straight, and through a sail from behind.
@@ -25,8 +25,10 @@ fn hull_image_light(hull: u32, toward: vec2f) -> HullImageLight {
   let cosine = dot(normal, frame.sun_direction.xz);
   let sun = cloud_sun_irradiance();
   let from_sea = HULL_IMAGE_SEA_REFLECTANCE * (light.sky_irradiance + sun * max(frame.sun_direction.y, 0.0));
-  let around = 0.5 * (light.sky_irradiance + from_sea);
-  return HullImageLight(sun * max(cosine, 0.0) + around, sun * max(-cosine, 0.0) + around);
+  let change = scene_skylight_change(vec3f(normal.x, 0.0, normal.y));
+  let front = 0.5 * ((1.0 + change) * light.sky_irradiance + from_sea);
+  let behind = 0.5 * ((1.0 - change) * light.sky_irradiance + from_sea);
+  return HullImageLight(sun * max(cosine, 0.0) + front, sun * max(-cosine, 0.0) + behind);
 }
 
 // The fraction of a bundle of rays from the point `place` that a hull stops (w), and that fraction times the hull's
@@ -51,6 +53,8 @@ fn hull_image_met(
   // Middle (x) and half width (y) of the lower section as seen from `place`, its height (z), and the share of the rays
   // that pass below it (w).
   var low = vec4f(0.0);
+  // Distance to the far end of the lower section, m.
+  var low_far_m = 0.0;
   var colour = vec4f(0.0);
   for (var i = 0u; i < hull_images.hulls[hull].section_count; i++) {
     let section = hull_images.hulls[hull].sections[i];
@@ -65,9 +69,11 @@ fn hull_image_met(
     let share = high.w - low.w;
     if i > 0u && share > 1e-3 {
       // Most rays pass the band at the height that is nearest to the middle ray's.
-      let at = mix(low.xy, high.xy, saturate((rise - low.z) / max(high.z - low.z, 1e-4)));
-      // A section that lies behind the place stops no ray.
-      let ahead_share = maths_smooth(0.5 + (middle_m + half_depth_m) / HULL_IMAGE_BEHIND_M);
+      let part = saturate((rise - low.z) / max(high.z - low.z, 1e-4));
+      let at = mix(low.xy, high.xy, part);
+      // What lies behind the place stops no ray.
+      let far_m = mix(low_far_m, middle_m + half_depth_m, part);
+      let ahead_share = maths_smooth(0.5 + far_m / HULL_IMAGE_BEHIND_M);
       let stopped = ahead_share * share
         * (maths_normal_cdf((at.x + at.y) * sharp.x) - maths_normal_cdf((at.x - at.y) * sharp.x));
       let lit = mix(irradiance.front, irradiance.behind, colour.a);
@@ -76,6 +82,7 @@ fn hull_image_met(
     let encoded = unpack4x8unorm(section.colour);
     colour = vec4f(encoded.rgb * encoded.rgb * (1.0 / ATM_PI), encoded.a);
     low = high;
+    low_far_m = middle_m + half_depth_m;
   }
   // Bands that overlap, as those of a hull that heels do, stop a ray once.
   return sum / max(sum.w, 1.0);
@@ -122,7 +129,7 @@ fn hull_image_sunlight(place: vec3f, pixel_m: f32) -> f32 {
     let toward = l.xz * inverseSqrt(max(dot(l.xz, l.xz), 1e-6));
     for (var i = 0u; i < hull_images.count; i++) {
       if hull_image_may_meet(i, place.xz, toward, 0.02) {
-        fraction *= 1.0 - hull_image_met(i, place, l, vec2f(HULL_IMAGE_SUN_BLUR), pixel_m, 1.0).w;
+        fraction *= max(1.0 - hull_image_met(i, place, l, vec2f(HULL_IMAGE_SUN_BLUR), pixel_m, 1.0).w, 0.0);
       }
     }
   }

@@ -6,8 +6,8 @@ override WATER_SHADOWS: bool = false;
 // Whether something floats, which the water mirrors and which shades it (shaders/water/hull_image.wgsl).
 override WATER_HULLS: bool = false;
 
-// Share of the shadow of a floating object in the light from below the surface at its place. That light has entered the
-// water all around, so the shadow of a narrow hull is mostly filled.
+// Share of a floating object's shadow in the light that comes up through the shaded surface, from the water and from the
+// bed. That light has entered the water somewhere around, mostly beside a narrow hull.
 const SHADOW_HULL_BELOW = 0.35;
 
 // Fractions of the sunlight that waves and land, and that floating objects, let through to the point that is lit; a pass

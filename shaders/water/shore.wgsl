@@ -170,7 +170,7 @@ fn shore_add_lace(
   foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, fall: vec2f, size: f32,
 ) -> FoamAmount {
   // No collar reaches deeper than one of the highest waves.
-  if -ground.x > 2.0 * SHORE_COLLAR_DEPTH * land.run_up_m {
+  if -ground.x > max(2.0 * SHORE_COLLAR_DEPTH * land.run_up_m, 2.0 * SHORE_BACK_M) {
     return foam;
   }
   var out = foam;
@@ -179,7 +179,8 @@ fn shore_add_lace(
   // A bore is white in front. Behind it, where the water falls towards the sea, foam is torn.
   let uphill = land_to_world(ground.yz);
   let seaward = dot(fall, uphill) * inverseSqrt(max(dot(uphill, uphill), 1e-8));
-  let back = maths_smooth(0.5 + 0.5 * seaward / SHORE_BACK_FALL) * (1.0 - maths_smooth(column / SHORE_BACK_M));
+  let thin = land_film_share(length(ground.yz)) * (1.0 - maths_smooth(column / SHORE_BACK_M));
+  let back = thin * maths_smooth(seaward / SHORE_BACK_FALL);
   out.cover *= thick * mix(1.0, SHORE_BACK_FOAM, back);
   out.fresh *= thick * (1.0 - back);
   if column < SHORE_SHEET_DEPTH * land.run_up_m {

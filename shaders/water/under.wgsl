@@ -91,7 +91,7 @@ fn under_row_m() -> f32 {
   return frame.clip_from_relative[3].z * length(frame.up) * (2.0 / f32(textureDimensions(depth_map).y));
 }
 
-// Noise along the glass, without the kinks of linear interpolation: the mean over the width of a texel.
+// Noise along the glass. Three samples half a texel apart round off the kinks of linear interpolation.
 fn under_glass_noise(at: f32, row: f32) -> f32 {
   let step = 0.5 * exp2(UNDER_GLASS_LOD) / f32(textureDimensions(noise_map).x);
   var sum = 0.0;

@@ -13,8 +13,8 @@ const WAKE_RIPPLE_M = 1.1;
 const WAKE_DARK_M = 0.6;
 // Distance beyond a hull at which it changes nothing, m.
 const WAKE_REACH_M = 4.0;
-// Length of the drawn wake, m, and the times after which have fallen to 1/e: the white water that the stern churns up, the
-// foam that it leaves, the bubbles below it, and the smoothness of the water, s.
+// Length of the drawn wake, m; and times, s, in which these fall to 1/e: the white water that the stern churns up, the foam
+// that it leaves, the bubbles below that foam, and the smoothness of the water.
 const WAKE_LONGEST_M = 90.0;
 const WAKE_CHURN_S = 1.2;
 const WAKE_FOAM_S = 5.0;
@@ -28,7 +28,7 @@ struct Wake {
   rough: f32,
   // Fraction of the surface that their foam covers, and the distance (x, z) by which it has moved, m.
   foam: f32,
-  // Share of that foam that is white water as of a breaking front, and the density of the bubbles below, as FoamAmount.
+  // Share of that foam that is as white as the front of a breaker, and bubbles below it: `fresh` and `plume` of FoamAmount.
   fresh: f32,
   plume: f32,
   drift_m: vec2f,
@@ -54,7 +54,7 @@ fn wake_edge(k: f32, astern_m: f32, aside_m: f32, start_m: f32, pixel_m: f32) ->
   return (0.4 * near_edge * wave * wake_kept(edge_k, pixel_m)) * WAKE_EDGE_TRAVEL;
 }
 
-// Adds Kelvin's waves and the foam of a hull that makes way. `astern_m` counts from the bow, `aside_m` from the middle
+// Kelvin's waves and the foam of a hull that makes way. `astern_m` counts from the bow, `aside_m` from the middle
 // line; the hull is `length_m` long and `half_m` wide to each side. Returns a Wake whose slope is astern and to the side.
 fn wake_under_way(speed_m_s: f32, astern_m: f32, aside_m: f32, length_m: f32, half_m: f32, pixel: vec2f) -> Wake {
   // Transverse waves that keep up with the hull: k = g / speed^2.
@@ -81,14 +81,14 @@ fn wake_under_way(speed_m_s: f32, astern_m: f32, aside_m: f32, length_m: f32, ha
   let crest = (aside_m - edge_m - 0.1) / (0.28 + 0.05 * behind_m + pixel.y);
   let bow = 0.95 * strength * exp(-min(crest * crest + behind_m / (1.5 * speed_m_s), 40.0))
     * smoothstep(-0.6, 0.3, astern_m);
+  let fresh = (foam * mix(0.25, 0.9, churn) + bow * 0.9) / max(foam + bow, 1e-4);
   foam = max(foam, bow);
-  let fresh = mix(0.25, 0.9, max(churn, saturate(bow)));
   let rough = 1.0 - 0.75 * band * exp(-old / WAKE_SMOOTH_S);
-  return Wake(slope, rough, foam, fresh, max(bow, 0.8 * band * exp(-old / WAKE_BUBBLES_S)), vec2f(0.0), 1.0);
+  return Wake(slope, rough, foam, fresh, 0.8 * band * exp(-old / WAKE_BUBBLES_S), vec2f(0.0), 1.0);
 }
 
-// Changes of the water by floating objects at a position (x, z) relative to the point below the eye. `pixel` is the longer and the
-// shorter side of the pixel there, m.
+// Changes of the water by floating objects at a position (x, z) relative to the point below the eye. `pixel` is the longer
+// and the shorter side of the pixel there, m.
 fn wake_at(place: vec2f, pixel: vec2f) -> Wake {
   var out = Wake(vec2f(0.0), 1.0, 0.0, 0.0, 0.0, vec2f(0.0), 1.0);
   for (var i = 0u; i < hull_images.count; i++) {
@@ -127,8 +127,9 @@ fn wake_at(place: vec2f, pixel: vec2f) -> Wake {
       let way = wake_under_way(speed_m_s, at.x + half.x, abs(at.y), 2.0 * half.x, half.y, pixel);
       let fades = saturate(3.0 - 3.0 * at.x / WAKE_LONGEST_M);
       slope += fades * vec2f(way.slope.x, side * way.slope.y);
-      fresh = select(fresh, way.fresh, fades * way.foam > foam);
-      foam = max(foam, fades * way.foam);
+      let own = fades * way.foam;
+      fresh = (fresh * line + way.fresh * own) / max(line + own, 1e-4);
+      foam = max(line, own);
       out.plume = max(out.plume, fades * way.plume);
       out.rough *= mix(1.0, way.rough, fades);
     }

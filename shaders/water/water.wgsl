@@ -101,14 +101,19 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   }
 
   var foam: FoamAmount;
+  // Share of the foam that belongs to fronts of breakers at a coast, not to wakes.
+  var front = 0.0;
   if WATER_FOAM {
     foam = foam_level(point.undisplaced, foot);
     if WATER_LAND {
       let size = WATER_TAP_TEXEL_RATIO * foot.length_m;
       foam = shore_add_lace(foam, ground, point.position.xz, point.height, fall, size);
     }
+    front = foam.fresh;
     if WATER_HULLS {
+      front *= foam.cover;
       foam = wake_add_foam(foam, wake);
+      front /= max(foam.cover, 1e-4);
     }
   }
   var glints: WaterGlints;
@@ -152,7 +157,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
       foam_at -= wake.drift_m;
     }
     var foam_foot = foot;
-    if WATER_COAST && foam.fresh > 0.5 {
+    if WATER_COAST && front > 0.5 {
       // The pattern must not move with the eye, so its place is measured from the corner of the coast's square.
       foam_at += shore_front_finer(coast_place(point.undisplaced));
       foam_foot = water_footprint(
@@ -160,14 +165,14 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     }
     var look = foam_appearance(foam_at, foam_foot, foam);
     if WATER_COAST {
-      look = shore_soft_relief(look, foam.fresh, slope.jacobian);
+      look = shore_soft_relief(look, front, slope.jacobian);
     }
     if look.cover > FOAM_MIN_AMOUNT {
       var white = foam_radiance(v, slope, look);
       if WATER_LAND {
         // Wet bubbles mirror the sky as the water between them does, and against a low sun are as warm.
-        white += FOAM_SHORE_SHEEN * (1.0 - 0.7 * foam.fresh) * surface;
-        white += shore_front_glow(v, slope.mean, foam.fresh, look.grain);
+        white += FOAM_SHORE_SHEEN * (1.0 - 0.7 * front) * surface;
+        white += shore_front_glow(v, slope.mean, front, look.grain);
       }
       surface = mix(surface, white, look.cover);
     }

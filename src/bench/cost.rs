@@ -150,8 +150,7 @@ pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 249.4, reads:
 /// Cost per pixel of the tone pass, which turns the HDR picture into screen colours.
 pub const TONE_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 317.1, reads: 3.1, max_ops: 613.0, max_reads: 11.0 };
 /// The same with local exposure.
-pub const TONE_LOCAL_FRAGMENT_COST: ShaderCost =
-    ShaderCost { ops: 459.1, reads: 7.2, max_ops: 755.0, max_reads: 15.0 };
+pub const TONE_LOCAL_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 459.1, reads: 7.2, max_ops: 755.0, max_reads: 15.0 };
 /// Cost per pixel of the present pass if the picture has the size of the canvas, so that it is copied.
 pub const COPY_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 20.0, reads: 1.0, max_ops: 20.0, max_reads: 1.0 };
 /// Cost per pixel of the present pass if it enlarges the picture.
@@ -172,6 +171,8 @@ pub struct PictureContents {
     pub light: ShaderCost,
     /// Cost per vertex of displacing the mesh: [`DISPLACE_VERTEX_COST`] or [`SHADED_DISPLACE_VERTEX_COST`].
     pub displace: ShaderCost,
+    /// Cost per pixel of the tone pass: [`TONE_FRAGMENT_COST`] or [`TONE_LOCAL_FRAGMENT_COST`].
+    pub tone: ShaderCost,
 }
 
 impl PictureContents {
@@ -205,7 +206,7 @@ impl PictureContents {
 
     /// Cost of the tone pass (HDR picture to screen colours): a pixel reads light (8 bytes), writes colour (4).
     pub fn tone_cost(&self) -> Cost {
-        Cost::of_bytes(12.0 * self.pixels) + Cost::of_shader(&TONE_FRAGMENT_COST, self.pixels)
+        Cost::of_bytes(12.0 * self.pixels) + Cost::of_shader(&self.tone, self.pixels)
     }
 
     /// Cost of the present pass (finished picture to a canvas of the same size): a pixel reads and writes a colour (4

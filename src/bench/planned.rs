@@ -40,6 +40,11 @@ impl FrameWork {
             } else {
                 cost::DISPLACE_VERTEX_COST
             },
+            tone: if params.look.film.local_exposure > 0.0 {
+                cost::TONE_LOCAL_FRAGMENT_COST
+            } else {
+                cost::TONE_FRAGMENT_COST
+            },
         };
         Self { size, maps, picture }
     }

@@ -19,8 +19,7 @@ const FOOT_M: f64 = -0.4;
 /// A sheet of white water: points of the water below its crest, with the height of the crest (m) and its whiteness.
 type Crest = Vec<(DVec3, f64, f64)>;
 
-/// How much higher the white water of a yacht is in a rough sea, 0 to 1: from a moderate to a near gale, waves throw ever
-/// more of it up.
+/// How rough a sea is for a yacht, from 0 in a moderate breeze to 1 in a near gale: waves throw its white water higher.
 pub fn roughness(wind_m_s: f64) -> f64 {
     ((wind_m_s - 6.0) / 9.0).clamp(0.0, 1.0)
 }
@@ -52,8 +51,8 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64, rough: f64) -> Vec<FoamCorner> 
             let bow = bell(z, stem + 0.5, 0.5).max(0.8 * bell(z, stem + 1.1, 1.3));
             let high = (1.2 + 0.8 * rough) * bow + 0.3 + 0.3 * rough + 0.3 * bell(z, stern, 1.2);
             let shown = 0.6 + 0.2 * rough + 0.5 * bow + 0.2 * bell(z, stern, 1.5);
-            // The sheet begins thin before the stem: a full edge would be straight.
-            let begun = (f64::from(i) / 5.0).min(1.0);
+            // The sheet fades in, because its first edge is straight.
+            let begun = (f64::from(i) / 2.0).min(1.0);
             (beside(z) + DVec3::X * (side * 0.03), press * rise_m * high, white * press * shown * begun)
         });
         sheet(&mut corners, &crest.collect(), side);
@@ -124,7 +123,7 @@ mod tests {
         // A rough sea throws it higher.
         let highest = |foam: &[FoamCorner]| foam.iter().map(|c| c.at.y).fold(0.0, f64::max);
         let rough = highest(&yacht_foam(3.0, 0.3, roughness(15.0)));
-        assert!((1.2..1.8).contains(&(rough / highest(&foam))), "{rough}");
+        assert!((1.2..1.8).contains(&(rough / highest(&foam))) && rough < 2.0, "{rough}");
         // The heeled hull lies deeper to leeward.
         let widest = |side: f64| water_line(side, 0.3).iter().map(|p| side * p.x).fold(0.0, f64::max);
         assert!(widest(1.0) > widest(-1.0) + 0.2, "{} {}", widest(1.0), widest(-1.0));
