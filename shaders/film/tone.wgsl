@@ -20,7 +20,7 @@ fn tone_exposure() -> f32 {
   return tone.exposure_gain * select(light.exposure, tone.fixed_exposure, tone.fixed_exposure > 0.0);
 }
 
-// Binary logarithm of the exposed luminance above which an area of the picture is bright, and the width of the way over.
+// Binary logarithm of the exposed luminance above which an area of the picture is bright, and the width of the transition.
 const TONE_BRIGHT = -1.0;
 const TONE_BRIGHT_SOFT = 0.6;
 
@@ -31,9 +31,11 @@ fn tone_brightness_around(uv: vec2f) -> f32 {
   let p = uv * size - 0.5;
   let f = fract(p);
   let g = 1.0 - f;
-  let low = (g * g * g + 4.0 + 3.0 * f * f * (f - 2.0)) / 6.0;
+  // Weights of the B-spline: of the cell before the place, and of both cells before it; the rest is of both after it.
+  let nearer = (4.0 + 3.0 * f * f * (f - 2.0)) / 6.0;
+  let low = nearer + g * g * g / 6.0;
   let high = 1.0 - low;
-  let before = (p - f - 0.5 + (4.0 + 3.0 * f * f * (f - 2.0)) / (6.0 * low)) / size;
+  let before = (p - f - 0.5 + nearer / low) / size;
   let after = (p - f + 1.5 + f * f * f / (6.0 * high)) / size;
   let upper = low.x * textureSampleLevel(local_map, hdr_sampler, before, 0.0).r
     + high.x * textureSampleLevel(local_map, hdr_sampler, vec2f(after.x, before.y), 0.0).r;

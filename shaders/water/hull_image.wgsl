@@ -71,7 +71,7 @@ fn hull_image_met(
       // Most rays pass the band at the height that is nearest to the middle ray's.
       let part = saturate((rise - low.z) / max(high.z - low.z, 1e-4));
       let at = mix(low.xy, high.xy, part);
-      // What lies behind the place stops no ray.
+      // A section whose far end lies behind `place`, seen along the ray, stops no ray.
       let far_m = mix(low_far_m, middle_m + half_depth_m, part);
       let ahead_share = maths_smooth(0.5 + far_m / HULL_IMAGE_BEHIND_M);
       let stopped = ahead_share * share

@@ -15,18 +15,21 @@ const SHADOW_HULL_BELOW = 0.35;
 var<private> shadow_sun_fraction: f32 = 1.0;
 var<private> shadow_hull_fraction: f32 = 1.0;
 
-// Irradiance by the sun, between clouds, waves, land and hulls, on a plane that faces it at the point that is lit.
-fn shadow_sun_irradiance() -> vec3f {
+// Irradiance by the sun, between clouds, waves and land, on a plane that faces it at the point that is lit, where floating
+// objects let the fraction `past_hulls` through.
+fn shadow_sun_irradiance_past(past_hulls: f32) -> vec3f {
   if WATER_SHADOWS || WATER_HULLS || LAND_SHADOWS {
-    return cloud_sun_irradiance() * (shadow_sun_fraction * shadow_hull_fraction);
+    return cloud_sun_irradiance() * (shadow_sun_fraction * past_hulls);
   }
   return cloud_sun_irradiance();
 }
 
-// As shadow_sun_irradiance, of the sunlight that has entered the water around the point that is lit.
+// Irradiance by the sun, between clouds, waves, land and hulls, on a plane that faces it at the point that is lit.
+fn shadow_sun_irradiance() -> vec3f {
+  return shadow_sun_irradiance_past(shadow_hull_fraction);
+}
+
+// The same irradiance for the light that comes up from below the surface (SHADOW_HULL_BELOW).
 fn shadow_entering_sun_irradiance() -> vec3f {
-  if WATER_SHADOWS || WATER_HULLS || LAND_SHADOWS {
-    return cloud_sun_irradiance() * (shadow_sun_fraction * mix(1.0, shadow_hull_fraction, SHADOW_HULL_BELOW));
-  }
-  return cloud_sun_irradiance();
+  return shadow_sun_irradiance_past(mix(1.0, shadow_hull_fraction, SHADOW_HULL_BELOW));
 }

@@ -31,8 +31,9 @@ const SHORE_COLLAR_CHURNED = 0.9;
 // that is left at the edge of the water.
 const SHORE_THIN_FOAM_M = 0.8;
 const SHORE_THIN_FOAM = 0.15;
-// Slope of the water's surface relative to that of the ground, down towards the sea, from which the water lies behind the
-// front of a bore; the depth, m, from which no water does; and the part of the foam that is left there.
+// Behind the front of a bore, the surface of the water falls towards the sea relative to the ground. Slope of that fall
+// from which the water counts as behind the front, depth of the water, m, from which on none of it does, and the part of
+// the foam that is left there.
 const SHORE_BACK_FALL = 0.06;
 const SHORE_BACK_M = 1.2;
 const SHORE_BACK_FOAM = 0.4;

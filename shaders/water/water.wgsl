@@ -111,9 +111,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     }
     front = foam.fresh;
     if WATER_HULLS {
-      front *= foam.cover;
+      let front_cover = front * foam.cover;
       foam = wake_add_foam(foam, wake);
-      front /= max(foam.cover, 1e-4);
+      front = front_cover / max(foam.cover, 1e-4);
     }
   }
   var glints: WaterGlints;

@@ -149,7 +149,7 @@ pub const LEAN_LIGHT_FRAGMENT_COST: ShaderCost =
 pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 249.4, reads: 1.2, max_ops: 331.0, max_reads: 2.0 };
 /// Cost per pixel of the tone pass, which turns the HDR picture into screen colours.
 pub const TONE_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 317.1, reads: 3.1, max_ops: 613.0, max_reads: 11.0 };
-/// The same with local exposure.
+/// Cost per pixel of the tone pass with local exposure.
 pub const TONE_LOCAL_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 459.1, reads: 7.2, max_ops: 755.0, max_reads: 15.0 };
 /// Cost per pixel of the present pass if the picture has the size of the canvas, so that it is copied.
 pub const COPY_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 20.0, reads: 1.0, max_ops: 20.0, max_reads: 1.0 };
