@@ -283,6 +283,43 @@ fn covariance(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     (0..pixels).map(of).sum::<f64>() / pixels as f64
 }
 
+/// Mean product of the differences of luma along the given rows of two pictures.
+fn contrast(a: &SrgbPicture, b: &SrgbPicture, rows: std::ops::Range<usize>) -> f64 {
+    let differences = |picture: &SrgbPicture| -> Vec<f64> {
+        let line = |row: usize| &picture.pixels[row * picture.width..(row + 1) * picture.width];
+        rows.clone().flat_map(|row| line(row).windows(3).map(|p| luma(p[2]) - luma(p[0]))).collect()
+    };
+    let (a, b) = (differences(a), differences(b));
+    a.iter().zip(&b).map(|(a, b)| a * b).sum::<f64>() / a.len() as f64
+}
+
+/// Waves far smaller than a pixel is long on the water still show, because the eye sees the few facets that face it. A
+/// mean over all of them would make the distant sea smooth: it had 0.1 to 0.5 of the variance of the reference.
+#[test]
+fn the_distant_sea_has_the_contrast_of_its_reference() {
+    const SIZE: [u32; 2] = [256, 144];
+    let mut table = format!("{:<16} {:>12} {:>10} {:>10} {:>6}\n", "sea", "rows", "reference", "picture", "ratio");
+    let mut wrong = 0;
+    for (sea, view) in [("wind=4.5&fetch=20", "y=5&fov=30"), ("wind=9&fetch=60", "y=4&fov=45")] {
+        let p = params(&format!("{sea}&n=128&dir=200&sun=20&sunaz=150&{view}&heading=20&t=40"));
+        let mut viewer = Viewer::new(SIZE, &p);
+        let picture = viewer.normal();
+        // The noise of two references is independent: what they have in common is the sea.
+        let references = [1, 2].map(|seed| viewer.reference(64, seed));
+        let first = horizon_row(&p, SIZE[1]);
+        for rows in [4..12, 12..30, 30..60] {
+            let rows = first + rows.start..first + rows.end;
+            let (sea_itself, shown) =
+                (contrast(&references[0], &references[1], rows.clone()), contrast(&picture, &picture, rows.clone()));
+            let ratio = shown / sea_itself;
+            table += &format!("{sea:<16} {rows:>12?} {sea_itself:>10.3e} {shown:>10.3e} {ratio:>6.2}\n");
+            wrong += usize::from(!(0.4..2.5).contains(&ratio));
+        }
+    }
+    eprint!("{table}");
+    assert_eq!(wrong, 0, "bands of rows with less than 0.4 or more than 2.5 of the variance:\n{table}");
+}
+
 /// Draws many states with as few allocations as possible; the tone pass paints magenta what is not a number.
 fn broken_pixels(states: std::ops::Range<u32>) -> Vec<String> {
     const SIZE: [u32; 2] = [48, 32];

@@ -82,3 +82,8 @@ fn maths_normal_quantile(share: f32) -> f32 {
   let t = sqrt(-2.0 * log(min(share, 1.0 - share)));
   return sign(share - 0.5) * (t - (2.30753 + 0.27061 * t) / (1.0 + t * (0.99229 + 0.04481 * t)));
 }
+
+// Products (xx, yy, xy) of a vector with itself.
+fn maths_self_products(v: vec2f) -> vec3f {
+  return vec3f(v * v, v.x * v.y);
+}

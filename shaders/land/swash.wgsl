@@ -101,7 +101,7 @@ fn swash_layers(z: f32, edge: f32, unresolved: f32) -> vec2f {
   return vec2f(maths_normal_cdf(at.x), maths_normal_cdf(at.y));
 }
 
-// The foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_look.wgsl), with
+// The foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_pattern.wgsl), with
 // fewer layers. `cover` is the part of the ground that it covers, `dir` the direction from the eye.
 fn swash_foam(at: vec2f, size: f32, cover: f32, dir: vec3f) -> SwashFoam {
   let l = frame.sun_direction;

@@ -23,12 +23,14 @@ fn foam_cell(level: u32, at: vec2f) -> vec4f {
 }
 
 // Noise layers (src/render/water/material.rs): windrows of tens of metres, patches of metres, strands of decimetres,
-// threads of centimetres; and billows of metres, which take the place of patches in the front of a breaker.
+// threads of centimetres; and billows and strands that tumble down the front of a breaker, in the place of patches and
+// of the strands that the wind has drawn out.
 const FOAM_WINDROW_LAYER = 0u;
 const FOAM_PATCH_LAYER = 1u;
 const FOAM_STRAND_LAYER = 2u;
 const FOAM_THREAD_LAYER = 3u;
 const FOAM_BILLOW_LAYER = 10u;
+const FOAM_TUMBLE_LAYER = 11u;
 // Reciprocals of the standard deviations of the noise of the first four layers: that of windrows is evenly spread, the
 // others are normal.
 const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);

@@ -1,7 +1,8 @@
 // The footprint of a pixel on the undisplaced sea, and how the maps are filtered over it.
 
-// An anisotropic footprint, sampled several times along its longer side, so that it is not blurred across. Hardware
-// anisotropy differs between GPUs and takes minutes on a software adapter.
+// An anisotropic footprint, sampled once in each half of its longer side. Where it is very long, the samples cover only
+// parts of their halves. The waves of such a pixel hide each other, so that it shows the few facets that face the eye:
+// two samples have the contrast of these, and the mean of all waves would make the distant sea smooth.
 struct WaterFootprint {
   // Longer and shorter side of the pixel as vectors, m.
   axis: vec2f,
@@ -10,9 +11,13 @@ struct WaterFootprint {
   width_m: f32,
   // Whether the pixel is so much longer than wide that it is sampled twice, once in each half.
   has_halves: bool,
+  // Share, 0 to 1, to which the two samples count as single waves out of many: 0 where they cover the footprint, 1
+  // where they cover less than a third of its length.
+  sparse: f32,
   // Length of the longer side, m, at least the width that one sample filters over.
   length_m: f32,
-  // Geometric mean of the length and of the width of one sample, m.
+  // Size of the waves that the samples average away, m: the geometric mean of the footprint's length and of the width
+  // of one sample, or that width where samples count as single waves.
   mean_m: f32,
   // Binary logarithms of the texel sizes, m, at which one sample, and a single sample of the whole footprint, are read.
   log_texel_m: f32,
@@ -21,6 +26,9 @@ struct WaterFootprint {
 
 // Length of a footprint from which it is sampled twice, relative to what one sample covers.
 const WATER_HALVES_FROM = 1.3;
+// Longest part of a footprint that one sample covers, relative to the footprint's width. With it, the contrast between
+// neighbouring pixels is that of a reference of many samples, from the foreground to the horizon.
+const WATER_LONGEST_SAMPLE = 2.0;
 
 // Footprint with the longer side `axis`, m, and the shorter one `across`, m, of which each sample covers `sample_m`
 // metres.
@@ -29,9 +37,11 @@ fn water_footprint_of_samples(
 ) -> WaterFootprint {
   let texel_m = WATER_TAP_TEXEL_RATIO * sample_m;
   let long_m = max(length_m, texel_m);
+  let covered = select(1.0, 2.0, has_halves) * sample_m / long_m;
+  let sparse = saturate(1.5 - 1.5 * covered);
   return WaterFootprint(
-    axis, across, width_m, has_halves, long_m, sqrt(sample_m * long_m), log2(max(texel_m, 1e-6)),
-    log2(max(WATER_TAP_TEXEL_RATIO * long_m, 1e-6)));
+    axis, across, width_m, has_halves, sparse, long_m, mix(sqrt(sample_m * long_m), sample_m, sparse),
+    log2(max(texel_m, 1e-6)), log2(max(WATER_TAP_TEXEL_RATIO * long_m, 1e-6)));
 }
 
 // Footprint of a pixel with the sides `dx` and `dy`, m.
@@ -43,9 +53,9 @@ fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
   let has_halves = large > WATER_HALVES_FROM * small;
   let is_x = x > y;
+  let sample_m = max(small, select(large, min(0.5 * large, WATER_LONGEST_SAMPLE * small), has_halves));
   return water_footprint_of_samples(
-    select(dy, dx, is_x), select(dx, dy, is_x), large, small, max(small, select(large, 0.5 * large, has_halves)),
-    has_halves);
+    select(dy, dx, is_x), select(dx, dy, is_x), large, small, sample_m, has_halves);
 }
 
 // Footprint of one sample whose texels are `texel_m` metres wide.
@@ -59,6 +69,10 @@ const WATER_FADE_START = 0.08;
 // Relative footprint size at which no slopes are left: a mean over it would keep 2 % of those of the longest waves.
 const WATER_FADE_END = 0.16;
 const WATER_INVERSE_FADE = 1.0 / (WATER_FADE_END - WATER_FADE_START);
+// Lengths of a footprint, relative to the patch of a cascade: from the first one, its two samples lie on different waves;
+// above the second one, the eye sees more waves than the two that the samples stand for, so that their mean varies less.
+const WATER_APART = 0.25;
+const WATER_SINGLE_WAVES = 0.3;
 // A mip level no finer than the coarsest of any map.
 const WATER_COARSEST_LOD = 16.0;
 
@@ -75,6 +89,8 @@ struct WaterSampling {
   spline_smoothness: f32,
   // Whether the gradients map is sampled twice along the footprint.
   has_halves: bool,
+  // As in WaterFootprint.
+  sparse: f32,
   // Mip levels of the gradients, of the displacement and of the moments map.
   slope_lod: f32,
   displacement_lod: f32,
@@ -93,10 +109,14 @@ fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
   out.has_halves = foot.has_halves && long > 1.4 * WATER_HALVES_FROM;
   out.slope_lod = foot.log_texel_m + map.log_texels_per_m;
   out.displacement_lod = foot.log_whole_texel_m + map.log_texels_per_m;
+  let patches = foot.length_m * map.inverse_patch;
+  out.sparse = select(0.0, foot.sparse * saturate(patches * (1.0 / WATER_APART)), out.has_halves);
+  out.slope_weight *= mix(1.0, inverseSqrt(max(patches * (1.0 / WATER_SINGLE_WAVES), 1.0)), out.sparse);
   // The moments hold nothing finer than two texels; for smaller footprints they would count resolved waves twice. The
   // mip level from which they count is fitted to the sum of resolved and unresolved variance.
-  let from_lod = saturate(out.slope_lod + 0.5);
+  let half_lod = out.displacement_lod - select(0.0, 1.0, foot.has_halves);
+  let from_lod = saturate(mix(half_lod, out.displacement_lod, out.sparse) + 0.5);
   out.variance_weight = (1.0 - out.spline_smoothness * out.spline_smoothness) * from_lod;
-  out.moment_lod = min(out.slope_lod - select(1.0, 0.0, out.has_halves), out.displacement_lod - 1.0);
+  out.moment_lod = min(half_lod - select(1.0, 0.0, out.has_halves), out.displacement_lod - 1.0);
   return out;
 }

@@ -109,17 +109,18 @@ fn lean_foam_level(at: vec2f, foot: LeanFootprint) -> FoamAmount {
 }
 
 // Appearance of foam in a pixel (as foam_appearance), without threads, and with one edge for film and body. Where most
-// of the foam belongs to a front, billows take the place of patches.
+// of the foam belongs to a front, its billows and strands take the place of those of old foam.
 fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearance {
   let is_front = amount.fresh > 0.5;
   let wide = select(FOAM_PATCH_LAYER, FOAM_BILLOW_LAYER, is_front);
+  let narrow = select(FOAM_STRAND_LAYER, FOAM_TUMBLE_LAYER, is_front);
   let lods = foot.log_texel_m + vec3f(
     material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m, material.noise_layers[wide].log_texels_per_m,
-    material.noise_layers[FOAM_STRAND_LAYER].log_texels_per_m);
+    material.noise_layers[narrow].log_texels_per_m);
   var kept = 1.0 / (1.0 + exp2(MATERIAL_VARIANCE_STEEPNESS.xyz * (lods - MATERIAL_HALF_VARIANCE_LOD.xyz)));
   // Lace cuts the foam; lumps are its relief.
   let heaps = material_noise(wide, at, lods.y).ra - 0.5;
-  let strands = material_noise(FOAM_STRAND_LAYER, at, lods.z).ra - 0.5;
+  let strands = material_noise(narrow, at, lods.z).ra - 0.5;
   var noise = vec3f(0.0, heaps.x, strands.x);
   var lumps = strands.y;
   var relief = vec2f(0.0);

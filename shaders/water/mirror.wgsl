@@ -128,9 +128,8 @@ fn water_glitter(
   var halves = 1;
   if is_split {
     halves = 2;
-    let between_halves = vec3f(half * half, half.x * half.y);
-    part.variance =
-      water_limit_covariance(max(surface.variance - between_halves, vec3f(0.3 * surface.variance.xy, -1.0)));
+    let rest = surface.variance - maths_self_products(half);
+    part.variance = water_limit_covariance(max(rest, vec3f(0.3 * surface.variance.xy, -1.0)));
     part.mean = surface.mean - half;
   }
   let density = water_slope_density(part.variance);

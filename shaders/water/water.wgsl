@@ -41,11 +41,23 @@ fn water_moved(point: WaterPoint) -> vec3f {
 // Adds to slope statistics the change of the slope across the pixel, because slopes that change within a pixel glitter
 // like a rough surface (Tokuyoshi and Kaplanyan 2019). `along_x` tells that the pixel's longer side is dx.
 fn water_add_slope_change(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along_x: bool) -> WaterSlope {
-  let bend = (1.0 / 12.0) * (vec3f(bend_x * bend_x, bend_x.x * bend_x.y) + vec3f(bend_y * bend_y, bend_y.x * bend_y.y));
+  let bend = (1.0 / 12.0) * (maths_self_products(bend_x) + maths_self_products(bend_y));
   let most_bend = frame.footprint_scale * min(1.0, 0.08 / max(max(bend.x, bend.y), 1e-6));
   var out = slope;
   out.variance = water_limit_covariance(slope.variance + bend * most_bend);
   out.half_slope_difference += 0.25 * sqrt(most_bend) * select(bend_y, bend_x, along_x);
+  return out;
+}
+
+// Slope statistics in which the half of a footprint that shows the eye more of its area counts more. Only samples that
+// stand for single waves count so: others lie on waves that the mesh already hides behind each other.
+fn water_visible_half(v: vec3f, slope: WaterSlope, sparse: f32) -> WaterSlope {
+  let tilt = water_tilt_towards(v, slope);
+  let half_tilt = dot(slope.half_slope_difference, tilt.toward);
+  let first = water_projected_area(tilt.height, tilt.across, tilt.mean + half_tilt, tilt.sigma);
+  let last = water_projected_area(tilt.height, tilt.across, tilt.mean - half_tilt, tilt.sigma);
+  var out = slope;
+  out.mean += (sparse * (last - first) / max(last + first, 1e-6)) * slope.half_slope_difference;
   return out;
 }
 
@@ -89,6 +101,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   }
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
+  if !WATER_POINT_SAMPLES && foot.sparse > 0.0 {
+    slope = water_visible_half(v, slope, foot.sparse);
+  }
   // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never
   // contains ripples, however fine it is.
   var around = slope;

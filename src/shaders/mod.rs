@@ -112,6 +112,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/bed.wgsl"),
     part!("water/shore.wgsl"),
     part!("water/foam.wgsl"),
+    part!("water/foam_pattern.wgsl"),
     part!("water/foam_look.wgsl"),
     part!("water/foam_light.wgsl"),
     part!("water/wake.wgsl"),

@@ -11,8 +11,8 @@ use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
 /// Number of noise layers, each a periodic texture at its own size and angle: four for foam, four of the
-/// bed's texture, two for the roughness of the water, and one for the billows of breakers.
-const NOISE_LAYERS: usize = 11;
+/// bed's texture, two for the roughness of the water, and two for the foam that tumbles down breakers.
+const NOISE_LAYERS: usize = 12;
 /// Shape of a noise layer.
 #[derive(Clone, Copy)]
 struct LayerShape {
@@ -45,8 +45,8 @@ impl LayerShape {
 }
 
 /// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), four of the bed (banks and
-/// channels, meadows, coral heads, ripples of the sand), gusts, slicks and billows. Sides and angles have no common period, so
-/// that the sum of the layers does not repeat. Windrows gather old foam between the rolls of the Langmuir circulation,
+/// channels, meadows, coral heads, ripples of the sand), gusts, slicks, and billows
+/// and tumbling strands of breakers. Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows gather old foam between the rolls of the Langmuir circulation,
 /// 10 to 100 m apart, in winds above 8 m/s. Foam moves with the water that it lies on, gusts are carried by the air, and
 /// slicks by the surface current.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
@@ -62,6 +62,8 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::roughness([910.0, 620.0, 4.0, 0.5], 0.7),
     LayerShape::roughness([260.0, 149.0, -7.0, 2.0], 0.03),
     LayerShape::foam([37.0, 31.0, 17.0, 0.3], [0.0; 2]),
+    // The wind has not drawn them out yet: stretched strands would hang down a front like combed wool.
+    LayerShape::foam([8.3, 10.7, 23.0, 0.0], [0.0; 2]),
 ];
 /// Least density of texels that a layer counts with, relative to that along its denser axis: a longer tile would
 /// flicker across its axis.

@@ -1,0 +1,118 @@
+// The pattern that the foam in a pixel covers.
+//
+// Foam covers what lies above a threshold in a pattern, a sum of noise layers that is distributed normally. The part of
+// the pattern that the pixel does not resolve softens the threshold, so that the mean is kept at every distance. A wide
+// soft threshold makes the film, which is thickest along its threads, and a sharper, higher one the body.
+//
+// The pattern, the opacity and the relief follow the age of the foam: the front of a breaker is a heap of billows, new
+// foam behind it a thick sheet with holes, and old foam thin threads and streaks along the wind.
+
+// Weights of the layers in the pattern of a breaker's front: windrows, billows, strands and threads. Their squares add up
+// to 1.
+const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.68, 0.6, 0.41);
+// Weights in the pattern of a front near a coast. Surf draws strands and threads out to long streaks, so they count less.
+const FOAM_SURF_WEIGHTS = vec4f(0.08, 0.93, 0.25, 0.25);
+// Change of these weights at the edge of a front, where it covers half of the water: fewer billows, more strands and
+// threads, so that the edge is lace.
+const FOAM_FRONT_EDGE_WEIGHTS = vec4f(0.0, -0.24, 0.08, 0.2);
+// Factors on the weights of the layers (material.rs), which grow with the wind, in the oldest foam and in new foam.
+const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
+const FOAM_NEW_WEIGHTS = vec4f(0.5, 0.8, 1.05, 1.2);
+// Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
+const FOAM_FILM_SOFTNESS = 0.4;
+const FOAM_BODY_SOFTNESS = vec2f(0.2, 0.28);
+// Opacity of the film (x), through which water shows, and what the body adds where it lies on it (y): of the oldest
+// foam, of new foam and of a front. The mean over the life of whitecaps is about half of that of a front (Koepke 1984).
+const FOAM_OLD_OPACITY = vec2f(0.11, 0.55);
+const FOAM_NEW_OPACITY = vec2f(0.16, 0.70);
+const FOAM_FRONT_OPACITY = vec2f(0.36, 0.62);
+// Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
+const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
+const FOAM_FRONT_SHIFT = vec2f(0.35, -0.45);
+// Fraction of the foam that belongs to fronts, from which billows show.
+const FOAM_MIN_BILLOWING = 0.2;
+
+// Mip levels of the noise layers in a pixel.
+struct FoamLods {
+  layers: vec4f,
+  // Mip levels of the billows and strands of a front.
+  front: vec2f,
+  // Size of the pixel's texels, m, if all of it is read at once.
+  whole_m: f32,
+}
+
+// Mip levels of the noise layers in a pixel that has one or two samples. Each covers its part of the pixel. Windrows
+// are longer than most pixels and threads shorter: one sample is enough for them.
+fn foam_lods(pixel: WaterFootprint, has_halves: bool) -> FoamLods {
+  let whole_m = WATER_TAP_TEXEL_RATIO * sqrt(pixel.width_m * pixel.length_m);
+  let part_m = pixel.length_m * select(1.0, 0.5, has_halves);
+  let size = WATER_TAP_TEXEL_RATIO * sqrt(part_m * max(pixel.width_m, part_m));
+  let logs = vec3f(pixel.log_whole_texel_m, log2(max(vec2f(size, whole_m), vec2f(1e-6))));
+  let densities = vec4f(
+    material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_STRAND_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_THREAD_LAYER].log_texels_per_m);
+  let of_front = vec2f(
+    material.noise_layers[FOAM_BILLOW_LAYER].log_texels_per_m,
+    material.noise_layers[FOAM_TUMBLE_LAYER].log_texels_per_m);
+  return FoamLods(logs.xyyz + densities, logs.y + of_front, whole_m);
+}
+
+// How the noise layers make the pattern of a pixel's foam.
+struct FoamPattern {
+  // Factors on the noise of the four layers, less its mean.
+  factors: vec4f,
+  // Shares of the patches and strands of old foam (x), and of the billows and strands of a front (y): roots of the
+  // shares of their variance.
+  turn: vec2f,
+  // Edges of film (x) and body (y), in deviations of the pattern, and their sharpness.
+  edge: vec2f,
+  sharp: vec2f,
+  // Opacity of the film, and what the body adds.
+  opacity: vec2f,
+  // Mean of the resolved height of billows where foam covers.
+  usual: f32,
+}
+
+// The pattern of foam in a pixel that keeps the fractions `kept` of the variance of the layers.
+fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
+  let fresh = amount.fresh;
+  let layers = vec4f(
+    material.noise_layers[FOAM_WINDROW_LAYER].foam_weight, material.noise_layers[FOAM_PATCH_LAYER].foam_weight,
+    material.noise_layers[FOAM_STRAND_LAYER].foam_weight, material.noise_layers[FOAM_THREAD_LAYER].foam_weight);
+  let aged = layers * mix(FOAM_OLD_WEIGHTS, FOAM_NEW_WEIGHTS, amount.young);
+  let edge = 4.0 * amount.cover * (1.0 - amount.cover);
+  let front = select(FOAM_FRONT_WEIGHTS, FOAM_SURF_WEIGHTS, WATER_COAST) + edge * FOAM_FRONT_EDGE_WEIGHTS;
+  let raw = mix(aged * inverseSqrt(dot(aged, aged)), front, fresh);
+  let weights = raw * inverseSqrt(dot(raw, raw));
+  let unresolved = 1.0 - dot(weights * weights, kept);
+  var out: FoamPattern;
+  out.factors = weights * FOAM_PER_DEVIATION;
+  // Both are independent, so that their sum keeps its variance.
+  out.turn = sqrt(vec2f(1.0 - fresh, fresh));
+  let quantile = maths_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
+  let soft = vec2f(FOAM_FILM_SOFTNESS, mix(FOAM_BODY_SOFTNESS.x, FOAM_BODY_SOFTNESS.y, fresh));
+  let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
+  out.edge = sqrt(1.0 + soft * soft) * (quantile + shift);
+  out.sharp = inverseSqrt(soft * soft + unresolved);
+  out.opacity = mix(mix(FOAM_OLD_OPACITY, FOAM_NEW_OPACITY, amount.young), FOAM_FRONT_OPACITY, fresh);
+  let covered = exp(-0.5 * quantile * quantile) * (0.4 / 6.08) / max(amount.cover, 1e-4);
+  out.usual = out.turn.y * weights.y * kept.y * covered;
+  return out;
+}
+
+// Strands (x) and lumps (y) at a place, less their means.
+fn foam_strands(pattern: FoamPattern, at: vec2f, lods: FoamLods) -> vec2f {
+  let old = material_noise(FOAM_STRAND_LAYER, at, lods.layers.z).ra - 0.5;
+  if pattern.turn.y <= FOAM_MIN_BILLOWING {
+    return old;
+  }
+  return pattern.turn.x * old + pattern.turn.y * (material_noise(FOAM_TUMBLE_LAYER, at, lods.front.y).ra - 0.5);
+}
+
+// Opacity of film (x) and body (y) where the pattern has the value `z`.
+fn foam_film_and_body(pattern: FoamPattern, z: f32) -> vec2f {
+  let film = maths_normal_cdf((z + pattern.edge.x) * pattern.sharp.x);
+  return vec2f(film, maths_normal_cdf((z + pattern.edge.y) * pattern.sharp.y));
+}
