@@ -11,9 +11,6 @@ struct WaterFootprint {
   width_m: f32,
   // Whether the pixel is so much longer than wide that it is sampled twice, once in each half.
   has_halves: bool,
-  // Share, 0 to 1, to which the two samples count as single waves out of many: 0 where they cover the footprint, 1
-  // where they cover less than a third of its length.
-  sparse: f32,
   // Length of the longer side, m, at least the width that one sample filters over.
   length_m: f32,
   // Size of the waves that the samples average away, m: the geometric mean of the footprint's length and of the width
@@ -30,6 +27,12 @@ const WATER_HALVES_FROM = 1.3;
 // neighbouring pixels is that of a reference of many samples, from the foreground to the horizon.
 const WATER_LONGEST_SAMPLE = 2.0;
 
+// Share, 0 to 1, to which the two samples of a footprint count as single waves out of many: 0 where they cover it, 1
+// where they cover less than a third of its length.
+fn water_sparseness(width_m: f32, length_m: f32) -> f32 {
+  return saturate(1.5 - 3.0 * WATER_LONGEST_SAMPLE * width_m / length_m);
+}
+
 // Footprint with the longer side `axis`, m, and the shorter one `across`, m, of which each sample covers `sample_m`
 // metres.
 fn water_footprint_of_samples(
@@ -37,11 +40,10 @@ fn water_footprint_of_samples(
 ) -> WaterFootprint {
   let texel_m = WATER_TAP_TEXEL_RATIO * sample_m;
   let long_m = max(length_m, texel_m);
-  let covered = select(1.0, 2.0, has_halves) * sample_m / long_m;
-  let sparse = saturate(1.5 - 1.5 * covered);
+  let mean_m = mix(sqrt(sample_m * long_m), sample_m, water_sparseness(width_m, long_m));
   return WaterFootprint(
-    axis, across, width_m, has_halves, sparse, long_m, mix(sqrt(sample_m * long_m), sample_m, sparse),
-    log2(max(texel_m, 1e-6)), log2(max(WATER_TAP_TEXEL_RATIO * long_m, 1e-6)));
+    axis, across, width_m, has_halves, long_m, mean_m, log2(max(texel_m, 1e-6)),
+    log2(max(WATER_TAP_TEXEL_RATIO * long_m, 1e-6)));
 }
 
 // Footprint of a pixel with the sides `dx` and `dy`, m.
@@ -89,12 +91,11 @@ struct WaterSampling {
   spline_smoothness: f32,
   // Whether the gradients map is sampled twice along the footprint.
   has_halves: bool,
-  // As in WaterFootprint.
+  // Share to which the two samples count as single waves of this cascade.
   sparse: f32,
-  // Mip levels of the gradients, of the displacement and of the moments map.
+  // Mip levels of the gradients and of the displacement map. That of the moments map is one less than the latter.
   slope_lod: f32,
   displacement_lod: f32,
-  moment_lod: f32,
   // Fraction of the slope moments that counts as unresolved variance, 0 to 1.
   variance_weight: f32,
 }
@@ -110,13 +111,13 @@ fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
   out.slope_lod = foot.log_texel_m + map.log_texels_per_m;
   out.displacement_lod = foot.log_whole_texel_m + map.log_texels_per_m;
   let patches = foot.length_m * map.inverse_patch;
-  out.sparse = select(0.0, foot.sparse * saturate(patches * (1.0 / WATER_APART)), out.has_halves);
+  let apart = water_sparseness(foot.width_m, foot.length_m) * saturate(patches * (1.0 / WATER_APART));
+  out.sparse = select(0.0, apart, out.has_halves);
   out.slope_weight *= mix(1.0, inverseSqrt(max(patches * (1.0 / WATER_SINGLE_WAVES), 1.0)), out.sparse);
   // The moments hold nothing finer than two texels; for smaller footprints they would count resolved waves twice. The
   // mip level from which they count is fitted to the sum of resolved and unresolved variance.
   let half_lod = out.displacement_lod - select(0.0, 1.0, foot.has_halves);
   let from_lod = saturate(mix(half_lod, out.displacement_lod, out.sparse) + 0.5);
   out.variance_weight = (1.0 - out.spline_smoothness * out.spline_smoothness) * from_lod;
-  out.moment_lod = min(half_lod - select(1.0, 0.0, out.has_halves), out.displacement_lod - 1.0);
   return out;
 }

@@ -115,7 +115,7 @@ fn water_add_waves(
       // Copies of the patch are independent: their variances add with the squares of their weights.
       let resolved = (sampling.slope_weight * sampling.slope_weight) * water_resolved_covariance(gradients, sampling);
       (*out).variance +=
-        (variance_gain * weight * weight) * water_unresolved_covariance(map, uv, sampling.moment_lod, resolved);
+        (variance_gain * weight * weight) * water_unresolved_covariance(map, uv, sampling.displacement_lod - 1.0, resolved);
     }
   }
 }
