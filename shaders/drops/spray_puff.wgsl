@@ -10,12 +10,12 @@ const SPRAY_LEAST_TORN = 0.001;
 // Least length over which the waves that throw up spray are filtered, m.
 const SPRAY_LEAST_SPACING_M = 0.5;
 // Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(1.1, 0.4);
+const SPRAY_OPTICAL_DEPTH = vec2f(1.0, 0.9);
 // Range of the front of a breaker over which it throws up spray.
 const SPRAY_FRONT_RANGE = vec2f(0.3, 0.8);
 // Speeds of coarse drops that a crest of the open sea throws up, m/s, relative to the root of the significant wave
 // height, m.
-const SPRAY_JET = vec2f(0.3, 0.9);
+const SPRAY_JET = vec2f(0.4, 1.7);
 // Highest speed at which eddies behind the crest lift mist, relative to that of the wind.
 const SPRAY_LIFT = 0.02;
 // Fraction of the light that reaches a puff at the root of the spray.
@@ -38,7 +38,7 @@ struct SprayKind {
 
 // Time in which single drops take on the speed of the air, s.
 const SPRAY_DROPS_RELAXATION_S = 0.45;
-const SPRAY_OF_SEA = SprayKind(SPRAY_DROPS_RELAXATION_S, 0.25, 1.0, 1.0, 1.3, 4.0);
+const SPRAY_OF_SEA = SprayKind(SPRAY_DROPS_RELAXATION_S, 0.45, 1.0, 1.0, 1.3, 4.0);
 
 // Values of the foam map at an undisplaced position: foam, source, front and plume. The finest level is left out: its
 // smallest fronts move more slowly than the large ones that throw up spray.
@@ -141,7 +141,7 @@ fn spray_puff(birth: SprayBirth, place: vec2f, cell_m: f32, age: f32, random: ve
   let young_m = (birth.kind.size * cell_m) * select(0.35 + 0.4 * random.z, 0.25 + 0.35 * random.z, is_coarse);
   let growth = select(0.6 + 1.9 * sqrt(age), 0.7 + 1.0 * age, is_coarse);
   out.radius_m = young_m * growth;
-  out.stretch = select(2.2 + 4.0 * age, birth.kind.stretch, is_coarse);
+  out.stretch = select(1.5 + 2.0 * age, birth.kind.stretch, is_coarse);
   out.open = mix(SPRAY_ROOT_LIGHT, 1.0, maths_smooth(3.0 * age));
   let life = maths_smooth(age * 8.0) * pow(1.0 - age, select(2.5, 2.0, is_coarse));
   let depths = select(SPRAY_OPTICAL_DEPTH.x, SPRAY_OPTICAL_DEPTH.y, is_coarse);

@@ -89,8 +89,10 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   lods.layers -= vec4f(sharper);
   lods.front -= sharper;
   var kept = material_variance_left(lods.layers);
-  let of_front = MATERIAL_VARIANCE_STEEPNESS.yz * (lods.front - MATERIAL_HALF_VARIANCE_LOD.yz);
-  kept = vec4f(kept.x, mix(kept.yz, 1.0 / (1.0 + exp2(of_front)), amount.fresh), kept.w);
+  if amount.fresh > 0.0 {
+    let of_front = MATERIAL_VARIANCE_STEEPNESS.yz * (lods.front - MATERIAL_HALF_VARIANCE_LOD.yz);
+    kept = vec4f(kept.x, mix(kept.yz, 1.0 / (1.0 + exp2(of_front)), amount.fresh), kept.w);
+  }
   // Where the pixel resolves neither patches nor strands, all samples are alike.
   let is_resolved = kept.y + kept.z >= FOAM_MIN_RESOLVED;
   let has_halves = has_detail && is_resolved;

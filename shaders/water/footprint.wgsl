@@ -13,8 +13,7 @@ struct WaterFootprint {
   has_halves: bool,
   // Length of the longer side, m, at least the width that one sample filters over.
   length_m: f32,
-  // Size of the waves that the samples average away, m: the geometric mean of the footprint's length and of the width
-  // of one sample, or that width where samples count as single waves.
+  // Geometric mean of the length and of the width of one sample, m, or of twice this width where samples do not touch.
   mean_m: f32,
   // Binary logarithms of the texel sizes, m, at which one sample, and a single sample of the whole footprint, are read.
   log_texel_m: f32,
@@ -27,12 +26,6 @@ const WATER_HALVES_FROM = 1.3;
 // neighbouring pixels is that of a reference of many samples, from the foreground to the horizon.
 const WATER_LONGEST_SAMPLE = 2.0;
 
-// Share, 0 to 1, to which the two samples of a footprint count as single waves out of many: 0 where they cover it, 1
-// where they cover less than a third of its length.
-fn water_sparseness(width_m: f32, length_m: f32) -> f32 {
-  return saturate(1.5 - 3.0 * WATER_LONGEST_SAMPLE * width_m / length_m);
-}
-
 // Footprint with the longer side `axis`, m, and the shorter one `across`, m, of which each sample covers `sample_m`
 // metres.
 fn water_footprint_of_samples(
@@ -40,7 +33,7 @@ fn water_footprint_of_samples(
 ) -> WaterFootprint {
   let texel_m = WATER_TAP_TEXEL_RATIO * sample_m;
   let long_m = max(length_m, texel_m);
-  let mean_m = mix(sqrt(sample_m * long_m), sample_m, water_sparseness(width_m, long_m));
+  let mean_m = sqrt(long_m * min(2.0 * sample_m, select(long_m, 0.5 * long_m, has_halves)));
   return WaterFootprint(
     axis, across, width_m, has_halves, long_m, mean_m, log2(max(texel_m, 1e-6)),
     log2(max(WATER_TAP_TEXEL_RATIO * long_m, 1e-6)));
@@ -71,10 +64,6 @@ const WATER_FADE_START = 0.08;
 // Relative footprint size at which no slopes are left: a mean over it would keep 2 % of those of the longest waves.
 const WATER_FADE_END = 0.16;
 const WATER_INVERSE_FADE = 1.0 / (WATER_FADE_END - WATER_FADE_START);
-// Lengths of a footprint, relative to the patch of a cascade: from the first one, its two samples lie on different waves;
-// above the second one, the eye sees more waves than the two that the samples stand for, so that their mean varies less.
-const WATER_APART = 0.25;
-const WATER_SINGLE_WAVES = 0.3;
 // A mip level no finer than the coarsest of any map.
 const WATER_COARSEST_LOD = 16.0;
 
@@ -91,8 +80,6 @@ struct WaterSampling {
   spline_smoothness: f32,
   // Whether the gradients map is sampled twice along the footprint.
   has_halves: bool,
-  // Share to which the two samples count as single waves of this cascade.
-  sparse: f32,
   // Mip levels of the gradients and of the displacement map. That of the moments map is one less than the latter.
   slope_lod: f32,
   displacement_lod: f32,
@@ -110,14 +97,9 @@ fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
   out.has_halves = foot.has_halves && long > 1.4 * WATER_HALVES_FROM;
   out.slope_lod = foot.log_texel_m + map.log_texels_per_m;
   out.displacement_lod = foot.log_whole_texel_m + map.log_texels_per_m;
-  let patches = foot.length_m * map.inverse_patch;
-  let apart = water_sparseness(foot.width_m, foot.length_m) * saturate(patches * (1.0 / WATER_APART));
-  out.sparse = select(0.0, apart, out.has_halves);
-  out.slope_weight *= mix(1.0, inverseSqrt(max(patches * (1.0 / WATER_SINGLE_WAVES), 1.0)), out.sparse);
   // The moments hold nothing finer than two texels; for smaller footprints they would count resolved waves twice. The
   // mip level from which they count is fitted to the sum of resolved and unresolved variance.
-  let half_lod = out.displacement_lod - select(0.0, 1.0, foot.has_halves);
-  let from_lod = saturate(mix(half_lod, out.displacement_lod, out.sparse) + 0.5);
+  let from_lod = saturate(out.displacement_lod + select(0.5, -0.5, foot.has_halves));
   out.variance_weight = (1.0 - out.spline_smoothness * out.spline_smoothness) * from_lod;
   return out;
 }

@@ -65,7 +65,7 @@ fn lean_add_waves(
   // As in water_sampling: the moments hold nothing finer than two texels.
   let counted = saturate(lod + 0.5) * variance_factor;
   if counted > 0.0 {
-    (*out).variance += counted * water_unresolved_covariance(map, uv, lod - 1.0, maths_self_products(gradients.xy));
+    (*out).variance += counted * water_unresolved_covariance(map, uv, lod - 1.0, gradients.xy);
   }
 }
 

@@ -113,25 +113,18 @@ fn water_add_waves(
     (*out).half_slope_difference += (slope_gain * weight) * gradients.half_slope_difference;
     if sampling.variance_weight > 0.0 {
       // Copies of the patch are independent: their variances add with the squares of their weights.
-      let resolved = (sampling.slope_weight * sampling.slope_weight) * water_resolved_covariance(gradients, sampling);
+      let mean = sampling.slope_weight * gradients.mean.xy;
       (*out).variance +=
-        (variance_gain * weight * weight) * water_unresolved_covariance(map, uv, sampling.displacement_lod - 1.0, resolved);
+        (variance_gain * weight * weight) * water_unresolved_covariance(map, uv, sampling.displacement_lod - 1.0, mean);
     }
   }
 }
 
-// Covariance (xx, zz, xz) that the mean slope of a footprint shows: its square. Where the two samples count as single
-// waves, it is the square expected of the mean of two such waves, half the mean of their squares.
-fn water_resolved_covariance(gradients: WaterGradientMean, sampling: WaterSampling) -> vec3f {
-  let spread = maths_self_products(gradients.half_slope_difference) - maths_self_products(gradients.mean.xy);
-  return maths_self_products(gradients.mean.xy) + (0.5 * sampling.sparse) * spread;
-}
-
 // Covariance (xx, zz, xz) of a cascade's slopes at texture coordinates: a mip level of their second moments, less the
-// covariance `resolved`.
-fn water_unresolved_covariance(map: FrameCascade, uv: vec2f, lod: f32, resolved: vec3f) -> vec3f {
+// square of the mean slope `mean`.
+fn water_unresolved_covariance(map: FrameCascade, uv: vec2f, lod: f32, mean: vec2f) -> vec3f {
   let moments = textureSampleLevel(moments_map, nearest_mip_sampler, uv, map.layer, lod).xyz;
-  return max(map.moment_unit * moments - resolved, vec3f(0.0, 0.0, -1.0));
+  return max(map.moment_unit * moments - maths_self_products(mean), vec3f(0.0, 0.0, -1.0));
 }
 
 // Covariance (xx, zz, xz) of all slopes of a cascade around an undisplaced position, from the coarsest mip level.

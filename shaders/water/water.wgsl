@@ -49,16 +49,15 @@ fn water_add_slope_change(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along
   return out;
 }
 
-// Mean slope in which the half of a footprint that shows the eye more of its area counts more. Only samples that stand
-// for single waves count so: others lie on waves that the mesh already hides behind each other.
-fn water_visible_mean(v: vec3f, slope: WaterSlope, sparse: f32) -> vec2f {
-  let tilt = water_tilt_towards(v, slope);
-  let half_tilt = dot(slope.half_slope_difference, tilt.toward);
-  // Projected areas as in water_projected_area, by a hyperbola that equals that of Gaussian slopes at grazing angles.
-  let facing = tilt.height + tilt.across * (tilt.mean + vec2f(half_tilt, -half_tilt));
-  let deviation = tilt.across * tilt.sigma;
-  let seen = facing + sqrt(facing * facing + 0.637 * deviation * deviation);
-  return slope.mean + (sparse * (seen.y - seen.x) / (seen.x + seen.y)) * slope.half_slope_difference;
+// Mean slope in which the half of a footprint that shows the eye more of its area counts more. The share by which the
+// areas differ follows from projected areas f + sqrt(f^2 + 2 variance / pi) with the cosine f of the mean facet, which
+// equal those of Gaussian slopes at grazing angles.
+fn water_visible_mean(v: vec3f, slope: WaterSlope) -> vec2f {
+  let facing = v.y - dot(slope.mean, v.xz);
+  let half = dot(slope.half_slope_difference, v.xz);
+  let square = (0.318 * (slope.variance.x + slope.variance.y)) * (1.0 - v.y * v.y);
+  let share = half * inverseSqrt(facing * facing + half * half + (square + 1e-9));
+  return slope.mean - share * slope.half_slope_difference;
 }
 
 // Radiance towards the eye of a point of the water with the slope statistics `seen`, for which `gust` is
@@ -101,9 +100,8 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   }
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
-  let sparse = water_sparseness(foot.width_m, foot.length_m);
-  if !WATER_POINT_SAMPLES && sparse > 0.0 {
-    slope.mean = water_visible_mean(v, slope, sparse);
+  if !WATER_POINT_SAMPLES {
+    slope.mean = water_visible_mean(v, slope);
   }
   // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never
   // contains ripples, however fine it is.

@@ -32,10 +32,11 @@ pub struct GalleryPicture {
 pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "A fine day",
-        description: "The sea that the page opens with: a fresh breeze on a long swell, a yacht close to the wind, \
-                      and a low sun between fair-weather cumulus.",
-        state: "v=2&wind=8&fetch=60&dir=150&scale2=1&hs2=1.8&swell2=0.8&sun=11&sunaz=18&haze=0.1&clouds=cumulus\
-                &glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=3&heading=30&pitch=2&t=40&afloat=yacht*31*-46",
+        description: "The sea that the page opens with: a fresh breeze on a long swell, a low sun beside cirrus, \
+                      and a yacht that sails past.",
+        state: "v=2&wind=8&fetch=60&dir=150&scale2=1&hs2=1.8&swell2=0.8&sun=18&sunaz=5&haze=0.2&clouds=cirrus\
+                &cloudcover=0.3&glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=3.5&heading=330&pitch=4&fov=45&t=42\
+                &afloat=yacht*-40*-90",
     },
     GalleryPicture {
         title: "Calm at dawn",
@@ -60,11 +61,10 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Southern Ocean storm",
-        description: "Beaufort 10 over 800 km of open water, a significant height of 16 m: crests break before a low \
-                      sun between squalls, and light shines through them.",
-        state: "v=2&wind=26&fetch=800&dir=270&seed=3&sun=10&sunaz=290&haze=0.2&clouds=stratocumulus&cloudcover=0.75\
-                &squalls=1&glints=1&gusts=1&spray=1&exposure=-0.5&bloom=0.06&localexposure=0.5&y=3&heading=272\
-                &pitch=3&fov=28&t=70.5",
+        description: "Beaufort 10 over 800 km of open water, a significant height of 16 m: crests break in the sun \
+                      under cirrus, and the wind tears spray off them.",
+        state: "v=2&wind=26&fetch=800&dir=270&seed=3&sun=20&sunaz=195&haze=0.25&clouds=cirrus&cloudcover=0.4&glints=1\
+                &gusts=1&spray=1&bloom=0.05&localexposure=0.5&y=6&heading=240&pitch=2&fov=24&t=82",
     },
     GalleryPicture {
         title: "Spindrift",
@@ -96,28 +96,25 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
                 &bloom=0.05&localexposure=0.5&dive=4&heading=30&pitch=12&fov=85&t=18",
     },
     GalleryPicture {
-        title: "At the waterline",
-        description: "Half of the lens is under water, over three metres of sand with patches of seagrass: the water \
-                      climbs the glass and bends what lies behind it.",
-        state: "v=2&wind=4&fetch=10&dir=60&depth=3&sun=38&sunaz=56&haze=0.3&clouds=cumulus&cloudcover=0.3&glints=1\
-                &gusts=1&bedcover=0.5&bloom=0.04&localexposure=0.5&dive=0.03&heading=110&pitch=-5&fov=70&t=14\
-                &afloat=yacht*22*10",
+        title: "Sea mist",
+        description: "A light air in thin fog: a yacht comes out of the haze beside the path of a low sun.",
+        state: "v=2&spectrum=pm&wind=2.5&scale2=1&hs2=0.4&tp2=9&sun=7&sunaz=62&fog=2&glints=1&gusts=1&bloom=0.08\
+                &localexposure=0.5&y=2.5&heading=48&pitch=3&fov=32&t=40&afloat=yacht*75*-105",
     },
     GalleryPicture {
         title: "Rain",
-        description: "A yacht in a shower from a broken deck: streaks, rings and splashes of drops, and a low sun \
-                      behind the veil.",
-        state: "v=2&wind=5&fetch=10&dir=300&scale2=1&hs2=0.5&tp2=7&swell2=0.7&sun=9&sunaz=36&clouds=stratocumulus\
-                &cloudcover=0.7&rain=15&squalls=1&glints=1&gusts=1&exposure=-0.2&bloom=0.05&localexposure=0.5&y=1.5\
-                &heading=20&pitch=2&fov=40&t=40&afloat=yacht*18*-40",
+        description: "A shower from a broken deck, a low sun behind its veil with rays between the clouds, and a \
+                      yacht that sails through.",
+        state: "v=2&wind=6&fetch=20&dir=300&scale2=1&hs2=0.6&tp2=7&swell2=0.7&sun=7&sunaz=20&clouds=stratocumulus\
+                &cloudcover=0.8&rain=3&squalls=1&glints=1&gusts=1&bloom=0.05&localexposure=0.5&y=3&heading=30&pitch=3\
+                &fov=35&t=40&afloat=yacht*70*-100",
     },
     GalleryPicture {
         title: "Shallow tropical water",
-        description: "Four metres of water over sand, seagrass and reefs, with caustics, and a yacht that crosses \
-                      them.",
-        state: "v=2&spectrum=tma&wind=6&fetch=6&dir=140&depth=4&sun=52&sunaz=70&haze=0.3&clouds=cumulus\
-                &cloudcover=0.25&glints=1&gusts=1&bedcover=0.35&caustics=1&exposure=-0.2&bloom=0.04&localexposure=0.5\
-                &heading=220&fov=45&t=40&afloat=yacht*-20*34",
+        description: "Four metres of water from 60 m: sand, seagrass and reefs below a light breeze, with caustics.",
+        state: "v=2&spectrum=tma&wind=3&fetch=4&dir=140&depth=4&sun=50&sunaz=70&haze=0.3&clouds=cirrus&cloudcover=0.3\
+                &glints=1&gusts=1&bedcover=0.45&caustics=1&bloom=0.04&localexposure=0.5&y=60&heading=300&pitch=-32\
+                &fov=45&t=40",
     },
     GalleryPicture {
         title: "Dusk",

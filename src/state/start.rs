@@ -1,9 +1,9 @@
 //! The sea that the page and the window open with when no state string says which.
 
-/// State string of the first sea: a fresh breeze on a long swell, a low sun between fair-weather cumulus, and a yacht
-/// close to the wind for scale.
-pub const START: &str = "v=2&wind=8&fetch=60&dir=150&scale2=1&hs2=1.8&swell2=0.8&sun=11&sunaz=18&haze=0.1\
-    &clouds=cumulus&glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=3&heading=30&pitch=2&t=40&afloat=yacht*31*-46";
+/// State string of the first sea: a fresh breeze on a long swell, a low sun beside cirrus, and a yacht for scale.
+pub const START: &str = "v=2&wind=8&fetch=60&dir=150&scale2=1&hs2=1.8&swell2=0.8&sun=18&sunaz=5&haze=0.2\
+    &clouds=cirrus&cloudcover=0.3&glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=3.5&heading=330&pitch=4&fov=45&t=42\
+    &afloat=yacht*-40*-90";
 
 /// State string of the default parameters for a link, because a link without a state string opens [`START`].
 pub const DEFAULT_SEA: &str = "v=2";
