@@ -59,7 +59,7 @@ fn answer(question: Question) -> Answer {
     }
     case 10u: { answer = vec4f(select(BED_SEAGRASS_ALBEDO, BED_REEF_ALBEDO, a.x > 0.0), 0.0); }
     case 6u: {
-      let slope = WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0));
+      let slope = WaterSlope(c.xy, vec3f(c.zw, b.w), 1.0, vec2f(0.0), 0.0);
       answer.x = water_second_bounce(water_tilt_towards(a.xyz, slope), b.x);
     }
     case 11u: { answer.x = water_glint_cell(vec2u(a.xy), a.z); }

@@ -23,7 +23,7 @@ const SPRAY_ROUNDNESS = 0.3;
 const SPRAY_DRIFT_SLOPE = 2.0;
 const SPRAY_DRIFT_PARTS = 256.0;
 // Contrast, in stops, of the noise of mist (x) and of coarse drops (y).
-const SPRAY_CONTRAST = vec2f(7.0, 4.0);
+const SPRAY_CONTRAST = vec2f(7.0, 2.5);
 // Contrast, in stops, of single drops in coarse puffs, which the noise of bubbles shows where it is low.
 const SPRAY_DROPS = 12.0;
 // By how much low noise shortens the radius of a puff, relative to its square.

@@ -14,7 +14,7 @@ const SPRAY_LIP_MISSED = vec2f(0.45, 0.15);
 const SPRAY_LIP_SPEED = vec2f(0.63, 0.36);
 // Speeds of drops thrown up, relative to that of water that falls as deep as the wave is high.
 const SPRAY_SURF_JET = vec2f(0.05, 0.5);
-const SPRAY_OF_SURF = SprayKind(SPRAY_DROPS_RELAXATION_S, 1.0, 0.5, 0.9, 2.2, 1.0);
+const SPRAY_OF_SURF = SprayKind(SPRAY_DROPS_RELAXATION_S, 1.0, 0.22, 0.9, 2.2, 1.0);
 
 // The lip of a wave.
 struct SprayLip {
@@ -102,7 +102,7 @@ const SPRAY_BURST_JET = vec2f(0.73, 3.2);
 // Speed away from the stone, m/s: least, and how much more it is at most.
 const SPRAY_BURST_BACK_M_S = vec2f(0.4, 1.2);
 // Sheets of water keep their speed longer than drops.
-const SPRAY_OF_BURST = SprayKind(0.9, 1.0, 7.0, 1.6, 2.0, 1.0);
+const SPRAY_OF_BURST = SprayKind(0.9, 1.0, 3.1, 1.6, 2.0, 1.0);
 
 // The birth, `t` seconds ago, of a puff at the undisplaced place `place`, where a crest meets stone.
 fn spray_birth_at_stone(map: FrameCascade, place: vec2f, t: f32, random: vec4f) -> SprayBirth {

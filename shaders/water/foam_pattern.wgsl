@@ -10,7 +10,8 @@
 // Weights of the layers in the pattern of a breaker's front: windrows, billows, strands and threads. Their squares add up
 // to 1.
 const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.68, 0.6, 0.41);
-// Weights in the pattern of a front near a coast. Surf draws strands and threads out to long streaks, so they count less.
+// Weights in the pattern of a front near a coast. The steep face of surf draws strands and threads out to long streaks,
+// so they count less.
 const FOAM_SURF_WEIGHTS = vec4f(0.08, 0.93, 0.25, 0.25);
 // Change of these weights at the edge of a front, where it covers half of the water: fewer billows, more strands and
 // threads, so that the edge is lace.
@@ -89,7 +90,7 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
   let unresolved = 1.0 - dot(weights * weights, kept);
   var out: FoamPattern;
   out.factors = weights * FOAM_PER_DEVIATION;
-  // Both are independent, so that their sum keeps its variance.
+  // Old foam and fronts have layers that are independent, so that their sum keeps its variance.
   out.turn = sqrt(vec2f(1.0 - fresh, fresh));
   let quantile = maths_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
   let soft = vec2f(FOAM_FILM_SOFTNESS, mix(FOAM_BODY_SOFTNESS.x, FOAM_BODY_SOFTNESS.y, fresh));

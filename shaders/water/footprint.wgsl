@@ -13,7 +13,8 @@ struct WaterFootprint {
   has_halves: bool,
   // Length of the longer side, m, at least the width that one sample filters over.
   length_m: f32,
-  // Geometric mean of the length and of the width of one sample, m, or of twice this width where samples do not touch.
+  // Geometric mean of the length and of the width of one sample, m. Where samples do not touch, half of the length takes
+  // the place of the width, or twice the width if that is less.
   mean_m: f32,
   // Binary logarithms of the texel sizes, m, at which one sample, and a single sample of the whole footprint, are read.
   log_texel_m: f32,
@@ -23,7 +24,7 @@ struct WaterFootprint {
 // Length of a footprint from which it is sampled twice, relative to what one sample covers.
 const WATER_HALVES_FROM = 1.3;
 // Longest part of a footprint that one sample covers, relative to the footprint's width. With it, the contrast between
-// neighbouring pixels is that of a reference of many samples, from the foreground to the horizon.
+// neighbouring pixels is about that of a reference of many samples, from the foreground to the horizon.
 const WATER_LONGEST_SAMPLE = 2.0;
 
 // Footprint with the longer side `axis`, m, and the shorter one `across`, m, of which each sample covers `sample_m`
@@ -33,7 +34,7 @@ fn water_footprint_of_samples(
 ) -> WaterFootprint {
   let texel_m = WATER_TAP_TEXEL_RATIO * sample_m;
   let long_m = max(length_m, texel_m);
-  let mean_m = sqrt(long_m * min(2.0 * sample_m, select(long_m, 0.5 * long_m, has_halves)));
+  let mean_m = sqrt(long_m * clamp(0.5 * long_m, sample_m, 2.0 * sample_m));
   return WaterFootprint(
     axis, across, width_m, has_halves, long_m, mean_m, log2(max(texel_m, 1e-6)),
     log2(max(WATER_TAP_TEXEL_RATIO * long_m, 1e-6)));
@@ -48,7 +49,7 @@ fn water_footprint(dx: vec2f, dy: vec2f) -> WaterFootprint {
   let small = max(abs(dx.x * dy.y - dx.y * dy.x) / max(large, 1e-9), 1e-6);
   let has_halves = large > WATER_HALVES_FROM * small;
   let is_x = x > y;
-  let sample_m = max(small, select(large, min(0.5 * large, WATER_LONGEST_SAMPLE * small), has_halves));
+  let sample_m = clamp(0.5 * large, small, WATER_LONGEST_SAMPLE * small);
   return water_footprint_of_samples(
     select(dy, dx, is_x), select(dx, dy, is_x), large, small, sample_m, has_halves);
 }
@@ -99,7 +100,7 @@ fn water_sampling(map: FrameCascade, foot: WaterFootprint) -> WaterSampling {
   out.displacement_lod = foot.log_whole_texel_m + map.log_texels_per_m;
   // The moments hold nothing finer than two texels; for smaller footprints they would count resolved waves twice. The
   // mip level from which they count is fitted to the sum of resolved and unresolved variance.
-  let from_lod = saturate(out.displacement_lod + select(0.5, -0.5, foot.has_halves));
+  let from_lod = saturate(max(out.slope_lod + 0.5, out.displacement_lod));
   out.variance_weight = (1.0 - out.spline_smoothness * out.spline_smoothness) * from_lod;
   return out;
 }

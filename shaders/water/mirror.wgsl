@@ -115,8 +115,8 @@ fn water_glitter(
   let from_mean = mirror_slope - surface.mean;
   // No slope is more likely than if its direction had the variance of both together.
   let most_variance = surface.variance.x + surface.variance.y + 2.0 * frame.sun_slope_variance;
-  // The square of a sum is at most twice the sum of the squares.
-  let farthest_square = 2.0 * (WATER_NO_GLITTER_SQUARE * most_variance + dot(half, half));
+  // The square of a sum is at most twice the sum of the squares. The farther half lies at most two halves away.
+  let farthest_square = 2.0 * WATER_NO_GLITTER_SQUARE * most_variance + 8.0 * dot(half, half);
   if !WATER_GGX && !WATER_PHONG && dot(from_mean, from_mean) >= farthest_square {
     return vec3f(0.0);
   }
@@ -130,7 +130,7 @@ fn water_glitter(
     halves = 2;
     let rest = surface.variance - maths_self_products(half);
     part.variance = water_limit_covariance(max(rest, vec3f(0.3 * surface.variance.xy, -1.0)));
-    part.mean = surface.mean - half;
+    part.mean = surface.mean + (surface.moved_by_halves - 1.0) * half;
   }
   let density = water_slope_density(part.variance);
   let off = mirror_slope - part.mean;

@@ -8,6 +8,8 @@ struct WaterSlope {
   jacobian: f32,
   // Half the difference of the slope between the two halves of an elongated footprint.
   half_slope_difference: vec2f,
+  // How far the mean has been moved towards the first half, in these differences (water_seen).
+  moved_by_halves: f32,
 }
 
 // Unit normal of a surface with the slope `slope` along x and z.

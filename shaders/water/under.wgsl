@@ -147,7 +147,7 @@ fn under_surface(dir: vec3f, place: vec3f, at: vec2f, foot: WaterFootprint, slop
   var rough = slope;
   rough.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   if SKY_CLOUD_SHADOWS {
-    cloud_sun_fraction = cloud_sun_transmittance(place.xz, foot.log_texel_m);
+    cloud_sun_fraction = cloud_sun_transmittance(place.xz, foot.log_whole_texel_m);
   }
   let down = reflect(dir, water_normal(slope.mean));
   let back = vec3f(down.x, min(down.y, -0.03), down.z);

@@ -49,15 +49,17 @@ fn water_add_slope_change(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along
   return out;
 }
 
-// Mean slope in which the half of a footprint that shows the eye more of its area counts more. The share by which the
-// areas differ follows from projected areas f + sqrt(f^2 + 2 variance / pi) with the cosine f of the mean facet, which
-// equal those of Gaussian slopes at grazing angles.
-fn water_visible_mean(v: vec3f, slope: WaterSlope) -> vec2f {
+// Slope statistics whose mean is that of what the eye sees: the half of a footprint that shows it more of its area counts
+// more. The share by which both areas differ is an approximation for Gaussian slopes that is right at grazing angles,
+// with the mean of the variances along and across the view.
+fn water_seen(v: vec3f, slope: WaterSlope) -> WaterSlope {
   let facing = v.y - dot(slope.mean, v.xz);
   let half = dot(slope.half_slope_difference, v.xz);
-  let square = (0.318 * (slope.variance.x + slope.variance.y)) * (1.0 - v.y * v.y);
-  let share = half * inverseSqrt(facing * facing + half * half + (square + 1e-9));
-  return slope.mean - share * slope.half_slope_difference;
+  let square = (1.0 / ATM_PI) * (slope.variance.x + slope.variance.y);
+  var out = slope;
+  out.moved_by_halves = half * inverseSqrt(facing * facing + half * half + square);
+  out.mean -= out.moved_by_halves * slope.half_slope_difference;
+  return out;
 }
 
 // Radiance towards the eye of a point of the water with the slope statistics `seen`, for which `gust` is
@@ -89,7 +91,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     slope = shore_thin_slope(slope, ground, point.height);
   }
   if SKY_CLOUD_SHADOWS {
-    cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_texel_m);
+    cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_whole_texel_m);
   }
   if WATER_HULLS {
     shadow_hull_fraction =
@@ -101,7 +103,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
 
   slope.variance += vec3f(vec2f(material.roughness_variance), 0.0);
   if !WATER_POINT_SAMPLES {
-    slope.mean = water_visible_mean(v, slope);
+    slope = water_seen(v, slope);
   }
   // Waves of the mesh hide and shade each other as they are drawn; finer waves do so statistically. The mesh never
   // contains ripples, however fine it is.

@@ -45,10 +45,10 @@ impl LayerShape {
 }
 
 /// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), four of the bed (banks and
-/// channels, meadows, coral heads, ripples of the sand), gusts, slicks, and billows
-/// and tumbling strands of breakers. Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows gather old foam between the rolls of the Langmuir circulation,
-/// 10 to 100 m apart, in winds above 8 m/s. Foam moves with the water that it lies on, gusts are carried by the air, and
-/// slicks by the surface current.
+/// channels, meadows, coral heads, ripples of the sand), gusts, slicks, and billows and tumbling strands of breakers.
+/// Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows gather old foam
+/// between the rolls of the Langmuir circulation, 10 to 100 m apart, in winds above 8 m/s. Foam moves with the water that
+/// it lies on, gusts are carried by the air, and slicks by the surface current.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::foam([910.0, 190.0, 0.0, 3.5], [0.36, 0.5]),
     LayerShape::foam([113.0, 37.0, 4.0, 1.2], [0.64, 0.0]),
