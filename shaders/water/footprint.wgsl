@@ -23,9 +23,10 @@ struct WaterFootprint {
 
 // Length of a footprint from which it is sampled twice, relative to what one sample covers.
 const WATER_HALVES_FROM = 1.3;
-// Longest part of a footprint that one sample covers, relative to the footprint's width. With it, the contrast between
-// neighbouring pixels is about that of a reference of many samples, from the foreground to the horizon.
-const WATER_LONGEST_SAMPLE = 2.0;
+// Longest part of a footprint that one sample covers, relative to the footprint's width. With it, neighbouring
+// pixels differ about as much as those of a reference of many samples, or less; with shorter ones, a glide from sea to sea
+// would change the picture too fast.
+const WATER_LONGEST_SAMPLE = 3.2;
 
 // Footprint with the longer side `axis`, m, and the shorter one `across`, m, of which each sample covers `sample_m`
 // metres.
