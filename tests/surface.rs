@@ -335,8 +335,8 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
             } else {
                 let off = [all, oblong, long].map(|sum| (sum / whole - 1.0).abs()).into_iter().fold(0.0, f64::max);
                 assert!(off < 0.03, "{size} m{untile}: {off}");
-                // Samples of a very long pixel are single waves, some of which are steeper than the variance around them,
-                // which then has no negative rest.
+                // A sample of a very long pixel may be steeper than the mean around it. What is left of the variance then
+                // counts as 0, as it cannot be negative, so that the sum is a little too large.
                 assert!((longest / whole - 1.0).abs() < 0.04, "{size} m{untile}");
             }
             before = resolved;

@@ -1,4 +1,5 @@
-// What foam looks like in a pixel: its cover, thickness and relief, from its pattern (foam_pattern.wgsl).
+// What the foam in a pixel looks like: the part of the pixel that it covers, how opaque it is there, and its relief, which
+// gives its shading. The pattern that foam covers is in foam_pattern.wgsl.
 
 // Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
 // centimetres (z), m.

@@ -29,7 +29,8 @@ fn shadow_sun_irradiance() -> vec3f {
   return shadow_sun_irradiance_past(shadow_hull_fraction);
 }
 
-// The same irradiance for the light that comes up from below the surface (SHADOW_HULL_BELOW).
+// Irradiance by the sun, as above, for light that comes up from the water and the bed: the shadow of a floating object
+// counts by the share SHADOW_HULL_BELOW.
 fn shadow_entering_sun_irradiance() -> vec3f {
   return shadow_sun_irradiance_past(mix(1.0, shadow_hull_fraction, SHADOW_HULL_BELOW));
 }
