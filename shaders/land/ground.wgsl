@@ -59,7 +59,7 @@ fn land_sand(
   // Far away its pattern would show repeats.
   let trodden = (0.008 + 0.05 * (1.0 - wet)) * saturate(0.7 + 0.4 * middle.w) * saturate(1.2 - 5.0 * size);
   let left = saturate(0.6 * middle.w - 0.2 * middle.z - 0.25) * wet;
-  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + trodden * vec2f(0.6 * fine.z, fine.w);
+  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + trodden * vec2f(0.8, -0.6) * fine.z;
   // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
   let lively = 0.1 + 0.9 * min(run_up, 1.0);
   let lobes = lively * (0.10 * middle.z + 0.06 * fine.w + 0.04 * fine.z);

@@ -38,7 +38,7 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let share = opacities.x / max(opacities.y, 1e-6);
   var clear = sky_clear_radiance(dir, below) * share;
   if SKY_CLOUD_SHADOWS {
-    clear *= sky_shaded_air();
+    clear = sky_shaded_air(clear);
   }
   let grey = light.overcast_zenith_radiance * (1.0 / 3.0) * (1.0 - through);
   return array<vec3f, 2>(mix(clear, grey, sky.overcast * sky.overcast), through);
@@ -63,13 +63,31 @@ fn air_rainbow(dir: vec3f, mu: f32, through: f32, is_sky: bool) -> vec3f {
   return sun * rainbow_phase(dot(dir, sky.sun_direction));
 }
 
+// Sine of the sun's elevation below which its light comes to the fog as from this one.
+const AIR_LOWEST_SUN = 0.05;
+
+// Fraction of the sunlight that clouds let through to the fog on a ray with the transmittance `through`: to a point at
+// the mean distance of the light that the fog adds, averaged over the way there.
+fn air_sunlit_fog(dir: vec3f, through: f32) -> f32 {
+  let depth = clamp(-log(max(through, 1e-6)), 1e-3, 10.0);
+  let distance_m = (1.0 - depth / (exp(depth) - 1.0)) / sky.fog.extinction_per_m;
+  // The beam that lights that point passes this one of the sea. Towards the sun, it is the point below the eye.
+  let sun = frame.sun_direction;
+  let place = dir.xz - sun.xz * (max(dir.y, 0.0) / max(sun.y, AIR_LOWEST_SUN));
+  return cloud_sun_transmittance(distance_m * place, log2(max(distance_m * length(place), 1.0)));
+}
+
 // Fog and rain on a ray, with the rainbow, and the clear air before them: the radiance that they add (rgb), and the
 // transmittance of fog and rain (w).
 fn air_fog_on_ray(dir: vec3f, distance_m: f32) -> vec4f {
   // A ray that ends in the sky does not go below the horizon.
   let mu = select(dir.y, max(dir.y, -sin(frame.horizon_dip)), distance_m >= FOG_FAR_M);
   let through = fog_transmittance(frame.eye_height_m, mu, sky.fog.start_m, distance_m);
-  var radiance = fog_radiance(dir);
+  var sunlit = 1.0;
+  if clouds.height_km > 0.0 {
+    sunlit = air_sunlit_fog(dir, through);
+  }
+  var radiance = fog_radiance(dir, sunlit);
   // Seen from above, the fog lies at the far end of the ray, behind clear air.
   let over = frame.eye_height_m - sky.fog.top_m - sky.fog.scale_height_m;
   if over > 0.0 && mu < 0.0 {

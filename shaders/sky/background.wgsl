@@ -77,7 +77,7 @@ fn sky_behind_salt(radiance: vec3f, dir: vec3f, above: f32) -> vec3f {
   let through = exp(-frame.salt_extinction_per_km * slant_km * fade);
   var clear = sky_clear_radiance(dir, 0.0);
   if SKY_CLOUD_DOME && sky.has_cloud_dome > 0.0 {
-    clear *= sky_shaded_air();
+    clear = sky_shaded_air(clear);
   }
   let grey = light.overcast_zenith_radiance * (1.0 / 3.0);
   return mix(mix(clear, grey, sky.overcast * sky.overcast), radiance, through);

@@ -10,7 +10,8 @@
 @group(0) @binding(6) var weather_map: texture_2d<f32>;
 @group(0) @binding(7) var cloud_noise_map: texture_3d<f32>;
 @group(0) @binding(8) var cloud_sampler: sampler;
-@group(0) @binding(9) var dome_out: texture_storage_2d_array<rgba16float, write>;
+@group(0) @binding(9) var cloud_shadow_map: texture_2d<f32>;
+@group(0) @binding(10) var dome_out: texture_storage_2d_array<rgba16float, write>;
 
 const DOME_MOST_STEPS = 160;
 // Clouds beyond this distance are lost in the haze.
@@ -171,7 +172,7 @@ fn dome_air_transmittance(mu: f32, t: f32) -> vec3f {
 // The clouds `behind` in a direction, behind shafts of rain in the shade below the clouds.
 fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4f {
   let shafts = squall_march(dir, near);
-  if shafts.x > 0.999 {
+  if shafts.transmittance > 0.999 {
     return behind;
   }
   let veil = sky.overcast * sky.overcast;
@@ -183,16 +184,17 @@ fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4
   let phase = atm_henyey_greenstein(turned, 0.7) + 0.5 * rainbow_phase(turned);
   let shade = mix(0.07, 0.3, sky_open_share());
   let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun_direction.y, sky.sun_radius_rad);
-  let between = light.cloud_sun_transmittance * pow(1.0 - sky.overcast, 1.5);
+  let between = shafts.sunlit * pow(1.0 - sky.overcast, 1.5);
   let sun = atm_linear_srgb(lit) * sky.sun_tint * (between * phase);
   let grey = mix(clear, vec3f(sky_luminance(clear)), 0.6);
-  let air = dome_air_transmittance(dir.y, shafts.y);
+  let air = dome_air_transmittance(dir.y, shafts.distance_km);
   let whole = dome_air_transmittance(dir.y, 1e3);
   let hazed = saturate((1.0 - air) / max(1.0 - whole, vec3f(1e-3)));
   let open_air = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), veil);
-  let before = open_air * (hazed * 0.5 * sky_shaded_air());
+  let before = sky_shaded_air(open_air) * (0.5 * hazed);
   let own = (grey * shade + sun) * air + before;
-  return vec4f(behind.rgb * shafts.x + own * (1.0 - shafts.x), behind.a * shafts.x);
+  let through = shafts.transmittance;
+  return vec4f(behind.rgb * through + own * (1.0 - through), behind.a * through);
 }
 
 @compute @workgroup_size(8, 8)
@@ -228,7 +230,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let from_sky = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
       // The sea and the low air return little of the light that falls on them between the clouds.
       let on_sea = ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0);
-      let from_sea = (on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky) * sky_shaded_air();
+      let from_sea = sky_shaded_air(on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky);
       // Deep in a cloud, the light from above is that of sky and sun together.
       let from_above = from_sky + sun * (DOME_SUN_IN_DEPTH * max(sky.sun_direction.y, 0.0) / ATM_PI);
       let radiance = seen.sun * sun + seen.sky * from_above + seen.sea * from_sea;
@@ -236,7 +238,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let whole = dome_air_transmittance(dir.y, 1e3);
       let hazed = (1.0 - air) / max(1.0 - whole, vec3f(1e-3));
       let clear = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), veil);
-      let before = clear * saturate(hazed) * (sky_shaded_air() * (1.0 - seen.transmittance));
+      let before = sky_shaded_air(clear) * saturate(hazed) * (1.0 - seen.transmittance);
       out = vec4f(radiance * air + before, seen.transmittance);
     }
   }

@@ -31,6 +31,28 @@ fn environment_cloudy_radiance(azimuth: f32, above: f32, pixel: f32) -> vec3f {
   return sum / f32(SIDE * SIDE);
 }
 
+// Half of the side of the square around the sun that environment_sunlit covers, rad.
+const ENVIRONMENT_SUN_RAD = 0.04;
+
+// Fraction of the sunlight that volumetric clouds let through to the sea below the eye, averaged over directions around
+// the sun.
+fn environment_sunlit() -> f32 {
+  if sky.has_cloud_dome <= 0.0 {
+    return 1.0;
+  }
+  const SIDE = 4;
+  let sun = sky.sun_direction;
+  let above = atm_asin(sun.y);
+  var sum = 0.0;
+  for (var i = 0; i < SIDE * SIDE; i++) {
+    let off = ENVIRONMENT_SUN_RAD * ((2.0 * vec2f(f32(i % SIDE), f32(i / SIDE)) + 1.0) / f32(SIDE) - 1.0);
+    let heading = vec2f(sun.x - off.x * sun.z, sun.z + off.x * sun.x);
+    let uv = cloud_map_uv(heading, max(above + off.y, 0.0), vec2f(textureDimensions(dome_map)));
+    sum += textureSampleLevel(dome_map, sky_sampler, uv, clouds.new_layer, 0.0).a;
+  }
+  return sum / f32(SIDE * SIDE);
+}
+
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let size = vec2f(textureDimensions(environment_out));
@@ -60,7 +82,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     radiance = sky_radiance(dir, above, pixel, sky.reflected_cloud_drift_km).rgb;
   }
   if sky.fog.extinction_per_m > 0.0 {
-    radiance = mix(fog_radiance(dir), radiance, fog_transmittance(0.0, dir.y, 0.0, FOG_FAR_M));
+    radiance = mix(fog_radiance(dir, environment_sunlit()), radiance, fog_transmittance(0.0, dir.y, 0.0, FOG_FAR_M));
   }
   textureStore(environment_out, id.xy, vec4f(min(radiance * gain + own, vec3f(6e4)), 1.0));
 }

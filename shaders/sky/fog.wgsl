@@ -67,9 +67,10 @@ fn fog_transmittance(eye_m: f32, mu: f32, start: f32, end: f32) -> f32 {
   return exp(-min(sky.fog.extinction_per_m * fog_length(eye_m, mu, start, end), 80.0));
 }
 
-// Radiance of infinitely thick fog. Its droplets scatter the sun mostly forwards, and a little backwards.
-fn fog_radiance(dir: vec3f) -> vec3f {
+// Radiance of infinitely thick fog, to which clouds let through the fraction `sunlit` of the sunlight. Its droplets
+// scatter the sun mostly forwards, and a little backwards.
+fn fog_radiance(dir: vec3f, sunlit: f32) -> vec3f {
   let c = dot(dir, sky.sun_direction);
   let phase = 0.88 * atm_henyey_greenstein(c, 0.78) + 0.12 * atm_henyey_greenstein(c, -0.3);
-  return light.fog_sky_radiance + light.fog_sun_irradiance * phase;
+  return light.fog_sky_radiance + light.fog_sun_irradiance * (sunlit * phase);
 }

@@ -75,7 +75,7 @@ fn clear_irradiance() {
     }
     let sunlight = fog_transmittance(0.5 * max(sky.fog.top_m, 0.0), sky.sun_direction.y, 0.0, FOG_FAR_M);
     let sun = light.sun_irradiance * light.cloud_sun_transmittance;
-    light.fog_sun_irradiance = sun * sunlight;
+    light.fog_sun_irradiance = light.sun_irradiance * sunlight;
     light.sun_above_fog = 1.0 / max(fog_transmittance(0.0, sky.sun_direction.y, 0.0, FOG_FAR_M), 1e-3);
     let lost = sun * (high * (1.0 - sunlight));
     light.fog_sky_radiance = (mix(diffuse, LIGHT_OVERCAST_TRANSMITTANCE * grey, o) + lost) * (0.6 / ATM_PI);

@@ -23,9 +23,16 @@ fn sky_open_share() -> f32 {
   return pow(light.cloud_sun_transmittance, clamp(sky.sun_direction.y, 0.05, 1.0));
 }
 
-// Light of the air below volumetric clouds, which shade it, relative to that of clear air.
-fn sky_shaded_air() -> f32 {
-  return mix(0.2, 1.0, sky_open_share());
+// Light that is left to air in the shade of volumetric clouds, relative to clear air, and how grey it is: from 0, the
+// colour of clear air, to 1.
+const SKY_SHADED_AIR = 0.2;
+const SKY_SHADED_GREY = 0.75;
+
+// Radiance of the air below volumetric clouds, which shade it, where clear air has the radiance `clear`. The light that
+// comes to it from clouds has no blue of the sky.
+fn sky_shaded_air(clear: vec3f) -> vec3f {
+  let shaded = SKY_SHADED_AIR * mix(clear, vec3f(sky_luminance(clear)), SKY_SHADED_GREY);
+  return mix(shaded, clear, sky_open_share());
 }
 
 // Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading

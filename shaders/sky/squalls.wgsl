@@ -14,6 +14,8 @@ const SQUALL_EXTINCTION_PER_KM = 2.0;
 // Distance by which falling rain lags behind its cloud for each km of fall: the difference of wind speeds at the cloud
 // and below, divided by the fall speed.
 const SQUALL_LAG = 1.1;
+// Sine of the sun's elevation below which its light comes to the shafts as from this one.
+const SQUALL_LOWEST_SUN = 0.05;
 // Width of the edge of a shaft, in values of the noise.
 const SQUALL_EDGE = 0.1;
 
@@ -34,14 +36,35 @@ fn squall_density(p: vec3f) -> f32 {
   return below * shaft * smoothstep(0.0, 0.2, cloud) * saturate(0.35 + 2.6 * (fine - 0.45));
 }
 
-// Light that shafts on a ray from the sea let through up to the distance `near`, where the ray meets the clouds' base
-// (x), and the mean distance of what is seen (y).
-fn squall_march(dir: vec3f, near: f32) -> vec2f {
+// Shafts of rain on a ray.
+struct SquallLight {
+  // Fraction of the light behind them that they let through.
+  transmittance: f32,
+  // Mean distance of what is seen, km.
+  distance_km: f32,
+  // Fraction of the sunlight that the clouds let through to what is seen.
+  sunlit: f32,
+}
+
+// Fraction of the sunlight that the clouds let through to a point below them, averaged over `size_km`. `slope` is the
+// direction to the sun, divided by its vertical part.
+fn squall_sunlit(p: vec3f, slope: vec3f, size_km: f32) -> f32 {
+  let at_base = p.xz + slope.xz * (cloud_field.base_km - p.y);
+  let texels_per_km = cloud_field.tiles_per_km * f32(textureDimensions(cloud_shadow_map).x);
+  let lod = log2(max(size_km * texels_per_km, 1.0));
+  return textureSampleLevel(cloud_shadow_map, cloud_sampler, at_base * cloud_field.tiles_per_km, lod).r;
+}
+
+// Shafts on a ray from the sea up to the distance `near`, where the ray meets the clouds' base.
+fn squall_march(dir: vec3f, near: f32) -> SquallLight {
   let ray = cloud_turned(dir);
+  let sun = cloud_turned(sky.sun_direction);
+  let slope = sun / max(sun.y, SQUALL_LOWEST_SUN);
   let far = min(near, SQUALL_FAR_KM);
   var depth = 0.0;
   var seen = 1e-6;
   var distance_sum = SQUALL_NEAR_KM.x * seen;
+  var sunlit_sum = 0.0;
   var before = SQUALL_NEAR_KM.x;
   for (var i = 0; i < SQUALL_STEPS && before < far; i++) {
     // Steps grow with the distance.
@@ -54,7 +77,10 @@ fn squall_march(dir: vec3f, near: f32) -> vec2f {
     depth += density * (next - before);
     seen += share;
     distance_sum += share * t;
+    if share > 0.0 {
+      sunlit_sum += share * squall_sunlit(p, slope, 0.5 * (next - before));
+    }
     before = next;
   }
-  return vec2f(exp(-SQUALL_EXTINCTION_PER_KM * depth), distance_sum / seen);
+  return SquallLight(exp(-SQUALL_EXTINCTION_PER_KM * depth), distance_sum / seen, sunlit_sum / seen);
 }

@@ -1,19 +1,17 @@
 // Breaking crests. The top of a crest that breaks is pushed along the wind, with which it travels, so that its lee face
-// is steeper than its weather face, and the roller of foam on its front lies on the water as a layer. At a coast the wave
-// has its shape from surf.wgsl, and bears a thicker roller of billows.
+// is steeper than its weather face, and the roller of foam on its front lies on the water as a layer of billows. At a
+// coast the wave has its shape from surf.wgsl, and bears a thicker roller.
 
-// Number of foam levels that move the water; on coarser ones, what they move is smaller than a pixel.
-const BREAKER_LEVELS = 2u;
 // Largest push, relative to the height of the crest above the mean. Lee faces become 1.2 to 1.4 times as steep as
 // weather faces, as those of measured spilling breakers (tests/breaking.rs).
 const BREAKER_PUSH_PER_HEIGHT = 0.22;
 // Excess at which the push is half of the largest, squared.
 const BREAKER_HALF_EXCESS_SQUARE = 2.0;
-// Thickness of a roller, relative to the height of its crest above the mean.
-const BREAKER_ROLLER_PER_HEIGHT = 0.1;
-// Thickness of a roller at a coast: the first number between billows, and both together on their tops.
+// Thickness of a roller in the open sea and at a coast, relative to the height of its crest above the mean: the first
+// number between billows, and both together on their tops.
+const BREAKER_ROLLER = vec2f(0.035, 0.15);
 const BREAKER_SURF_ROLLER = vec2f(0.19, 0.11);
-// How far that roller also swells forward, relative to its thickness, because it lies on a steep front.
+// How far a roller at a coast also swells forward, relative to its thickness, because it lies on a steep front.
 const BREAKER_SURF_FORWARD = 0.75;
 // Reciprocal of the coast's factor on short waves from which waves are surf. On the beach, where only a sheet of water
 // runs up, the factor is 0.
@@ -31,7 +29,7 @@ struct BreakerState {
 fn breaker_state(at: vec2f) -> BreakerState {
   var out: BreakerState;
   var left = 1.0;
-  for (var level = 0u; level < min(frame.foam_level_count, BREAKER_LEVELS) && left > 0.0; level++) {
+  for (var level = 0u; level < frame.breaker_level_count && left > 0.0; level++) {
     let map = frame.foam_levels[level];
     let off = abs(at - map.centre);
     let share = left * saturate(5.0 - 5.0 * max(off.x, off.y) * map.inverse_half_side);
@@ -54,27 +52,35 @@ fn breaker_state(at: vec2f) -> BreakerState {
   return out;
 }
 
-// Lengths of the billows of a roller at a coast, m, in two pairs of directions; lengths, m, over which their rows bend;
-// and spacings of the mesh, m, between which billows fade, because coarser meshes cannot show them.
-const BREAKER_BILLOWS_M = vec4f(1.3, 1.0, 0.5, 0.41);
-const BREAKER_BENDS_M = vec4f(3.7, 4.3, 1.9, 2.3);
-const BREAKER_BILLOW_SPACINGS_M = vec2f(0.25, 0.7);
+// Shape of the billows of a roller, in lengths of the longest: reciprocals of the lengths of two pairs of rows, along x
+// and along z, and of the lengths over which they bend.
+const BREAKER_ROWS_X = vec4f(0.8, -0.78, 2.55, 0.63);
+const BREAKER_ROWS_Z = vec4f(0.6, 1.04, -0.52, 3.1);
+const BREAKER_BENDS_X = vec4f(-0.21, 0.24, 0.14, 0.55);
+const BREAKER_BENDS_Z = vec4f(0.28, 0.18, 0.67, -0.11);
+// Length of the longest billows: near a coast, m, and elsewhere relative to the significant wave height.
+const BREAKER_SURF_BILLOW_M = 1.3;
+const BREAKER_BILLOW_PER_HS = 0.22;
+// Spacings of the mesh, in lengths of the longest billows, between which billows fade, because coarser meshes cannot
+// show them.
+const BREAKER_BILLOW_SPACINGS = vec2f(0.2, 0.54);
 // Mean height of billows, relative to the highest one, and its derivatives: coarse meshes have it in their place.
 const BREAKER_MEAN_BILLOWS = vec3f(0.44, 0.0, 0.0);
 
 // Height of the billows of a roller, 0 to 1 (x), and its derivatives along x and z, 1/m (yz): round heaps with creases
 // between. They stay where they are while the front runs over them, so that it churns.
-fn breaker_billows(at: vec2f) -> vec3f {
-  let p = coast_place(at);
-  let along = p.x * vec4f(0.8, -0.6, 0.98, 0.2) + p.y * vec4f(0.6, 0.8, -0.2, 0.98);
-  let bend = 2.0 * fract(along.yxwz / BREAKER_BENDS_M) - 1.0;
-  let off = 2.0 * fract((along - 0.6 * bend * bend) / BREAKER_BILLOWS_M) - 1.0;
+fn breaker_billows(at: vec2f, length_m: f32) -> vec3f {
+  let map = frame.foam_levels[0];
+  let place = map.uv_below_eye + at * map.inverse_side;
+  // Whole numbers of rows lie in the side of the foam's map, whose coordinates begin anew there.
+  let count = 1.0 / (length_m * map.inverse_side);
+  let rows_x = round(count * BREAKER_ROWS_X);
+  let rows_z = round(count * BREAKER_ROWS_Z);
+  let bend = 2.0 * fract(place.x * round(count * BREAKER_BENDS_X) + place.y * round(count * BREAKER_BENDS_Z)) - 1.0;
+  let off = 2.0 * fract(place.x * rows_x + place.y * rows_z - 0.55 * bend * bend) - 1.0;
   let arcs = 1.0 - off * off;
-  let fall = -4.0 * off / BREAKER_BILLOWS_M;
-  let change = vec4f(0.6, 0.6, 0.4, 0.4) * arcs.yxwz * fall;
-  return vec3f(
-    0.6 * arcs.x * arcs.y + 0.4 * arcs.z * arcs.w,
-    dot(change, vec4f(0.8, -0.6, 0.98, 0.2)), dot(change, vec4f(0.6, 0.8, -0.2, 0.98)));
+  let change = (-4.0 * map.inverse_side) * vec4f(0.6, 0.6, 0.4, 0.4) * arcs.yxwz * off;
+  return vec3f(0.6 * arcs.x * arcs.y + 0.4 * arcs.z * arcs.w, dot(change, rows_x), dot(change, rows_z));
 }
 
 // How breaking waves move the water.
@@ -106,38 +112,39 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
   if foam.value.x + foam.value.y <= 0.0 {
     return out;
   }
-  // Where only a sheet of water runs up the beach, short waves have ended, and nothing leans or rolls.
-  var open_sea = 1.0;
+  // At a coast, surf_motion has made the wave lean. Where only a sheet of water runs up the beach, nothing rolls.
+  var push = BREAKER_PUSH_PER_HEIGHT;
+  var thickness = BREAKER_ROLLER;
+  var forward = 0.0;
+  var length_m = BREAKER_BILLOW_PER_HS * frame.hs_m;
   if WATER_COAST {
-    open_sea = 1.0 - maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
+    push = 0.0;
+    thickness = BREAKER_SURF_ROLLER * maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
+    forward = BREAKER_SURF_FORWARD;
+    length_m = BREAKER_SURF_BILLOW_M;
   }
-  let push = open_sea * BREAKER_PUSH_PER_HEIGHT;
   let excess_square = foam.value.x * foam.value.x;
   let over = 1.0 / (excess_square + BREAKER_HALF_EXCESS_SQUARE);
   let share = push * excess_square * over;
   let share_change = (2.0 * push * BREAKER_HALF_EXCESS_SQUARE) * foam.value.x * over * over;
-  var forward_change = share * slope + (share_change * height_m) * vec2f(foam.along_x.x, foam.along_z.x);
-  var forward_m = share * height_m;
   let direction = unpack2x16snorm(frame.breaker_direction);
   // The roller's thickness is proportional to the square of the front, so that its edge rises without a kink.
   let square = foam.value.y * foam.value.y;
-  var roller = BREAKER_ROLLER_PER_HEIGHT;
-  var roller_change = (2.0 * foam.value.y) * vec2f(foam.along_x.y, foam.along_z.y);
-  if WATER_COAST {
-    let share_of_surf = 1.0 - open_sea;
-    var billows = BREAKER_MEAN_BILLOWS;
-    if share_of_surf * foam.value.y > 0.0 {
-      let shown = 1.0 - maths_rise(mesh_spacing(length(at)), BREAKER_BILLOW_SPACINGS_M);
-      billows = mix(billows, breaker_billows(at), shown);
+  let square_change = (2.0 * foam.value.y) * vec2f(foam.along_x.y, foam.along_z.y);
+  // All of it swells forward alike: billows that did so one by one would fold the surface.
+  let swell = forward * (thickness.x + thickness.y * BREAKER_MEAN_BILLOWS.x);
+  let forward_m = (share + swell * square) * height_m;
+  let forward_change = (share + swell * square) * slope
+    + height_m * (share_change * vec2f(foam.along_x.x, foam.along_z.x) + swell * square_change);
+  var billows = BREAKER_MEAN_BILLOWS;
+  if square > 0.0 {
+    let shown = 1.0 - maths_rise(mesh_spacing(length(at)) / length_m, BREAKER_BILLOW_SPACINGS);
+    if shown > 0.0 {
+      billows = mix(billows, breaker_billows(at, length_m), shown);
     }
-    roller = mix(roller, BREAKER_SURF_ROLLER.x + BREAKER_SURF_ROLLER.y * billows.x, share_of_surf);
-    roller_change = roller * roller_change + (square * share_of_surf * BREAKER_SURF_ROLLER.y) * billows.yz;
-    let swells = BREAKER_SURF_FORWARD * share_of_surf;
-    forward_m += swells * roller * square * height_m;
-    forward_change += swells * (roller * square * slope + height_m * roller_change);
-  } else {
-    roller_change *= roller;
   }
+  let roller = thickness.x + thickness.y * billows.x;
+  let roller_change = roller * square_change + (square * thickness.y) * billows.yz;
   out = breaker_pushed(out, direction, forward_m, forward_change);
   out.moved.y += roller * square * height_m;
   out.derivatives.slope += roller * square * slope + height_m * roller_change;

@@ -37,6 +37,14 @@ const SHORE_THIN_FOAM = 0.15;
 const SHORE_BACK_FALL = 0.06;
 const SHORE_BACK_M = 1.2;
 const SHORE_BACK_FOAM = 0.4;
+// Fall of the water towards the land relative to the ground, between which the front of a bore becomes all foam, and the
+// part of it that foam covers.
+const SHORE_FACE_FALLS = vec2f(0.25, 0.7);
+const SHORE_FACE_COVER = 0.98;
+// Jacobians of the displacement up to which (x) the surface counts as folded, and from which (y) it does not. Where it
+// folds, its slope has no meaning.
+const SHORE_FOLDED_LEVEL = 0.7;
+const SHORE_FOLDED_JACOBIANS = vec2f(0.1, 0.45);
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
 // Depth of the water, m, up to which it is too thin for a cloud of bubbles: the sand shows through.
@@ -52,8 +60,8 @@ const SHORE_FRONT_GLOW_STOPS = 3.4;
 const SHORE_FRONT_SKY = 3.0;
 // Part of that light that comes out of foam that lies level.
 const SHORE_FRONT_LEVEL = 0.4;
-// How much finer the pattern of a front near a coast is along its crest.
-const SHORE_FRONT_FINER = 2.0;
+// Length of a pixel's footprint on a front, relative to its width: fronts face the eye or the sky.
+const SHORE_FRONT_LENGTH = 2.0;
 // Part of the relief that fronts near a coast lose.
 const SHORE_FRONT_SOFTNESS = 0.85;
 // Part of the contrast between their hollows and lumps that they lose: the squeeze would draw it out to streaks.
@@ -117,11 +125,16 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> Foam
   return FoamAmount(all, mix(fresh, foam.fresh, old), plume, mix(young, foam.young, old));
 }
 
-// The vector by which a position or a distance `at` on the undisplaced sea must be lengthened along the crests, so that the
-// pattern of foam that is read there is finer along them. Surf makes the pattern of a front finer across its crest.
-fn shore_front_finer(at: vec2f) -> vec2f {
-  let across = unpack2x16snorm(frame.breaker_direction);
-  return (SHORE_FRONT_FINER - 1.0) * (at - dot(at, across) * across);
+// How far the displacement has squeezed or folded the surface, 0 to 1, where it has the Jacobian `jacobian`.
+fn shore_folded(jacobian: f32) -> f32 {
+  return 1.0 - maths_rise(jacobian, SHORE_FOLDED_JACOBIANS);
+}
+
+// Footprint on the displaced surface of a pixel at `position` relative to the eye.
+fn shore_front_footprint(position: vec3f) -> WaterFootprint {
+  let width_m = frame.pixel_angle * length(position);
+  let away = width_m * normalize(position.xz);
+  return water_footprint(vec2f(-away.y, away.x), SHORE_FRONT_LENGTH * away);
 }
 
 // The look of foam near a coast, of which the part `fresh` belongs to fronts, with less relief where the surface is
@@ -165,10 +178,10 @@ fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, heigh
 
 // The foam of a pixel, with that of the swash, which carries it at its edge, and with the collar of foam around rock and
 // walls. `ground` is that of land_at, `at` the pixel's place relative to the point below the eye, `height` the height of
-// the water there, m, `fall` its slope relative to that of the ground, along x and z, and `size` the width of the pixel's
-// texels, m.
+// the water there, m, `fall` its slope relative to that of the ground, along x and z, `jacobian` that of its displacement,
+// and `size` the width of the pixel's texels, m.
 fn shore_add_lace(
-  foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, fall: vec2f, size: f32,
+  foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, fall: vec2f, jacobian: f32, size: f32,
 ) -> FoamAmount {
   // No collar reaches deeper than one of the highest waves.
   if -ground.x > max(2.0 * SHORE_COLLAR_DEPTH * land.run_up_m, 2.0 * SHORE_BACK_M) {
@@ -181,9 +194,12 @@ fn shore_add_lace(
   let uphill = land_to_world(ground.yz);
   let seaward = dot(fall, uphill) * inverseSqrt(max(dot(uphill, uphill), 1e-8));
   let thin = land_film_share(length(ground.yz)) * (1.0 - maths_smooth(column / SHORE_BACK_M));
-  let back = thin * maths_smooth(seaward / SHORE_BACK_FALL);
+  let folded = shore_folded(jacobian);
+  let back = thin * maths_smooth(seaward / SHORE_BACK_FALL) * (1.0 - folded);
   out.cover *= thick * mix(1.0, SHORE_BACK_FOAM, back);
   out.fresh *= thick * (1.0 - back);
+  let face = thin * max(folded, maths_rise(-seaward, SHORE_FACE_FALLS));
+  out = shore_more_foam(out, SHORE_FACE_COVER * min(frame.foam_amount, 1.0) * face, 1.0, face);
   if column < SHORE_SHEET_DEPTH * land.run_up_m {
     let run_up = max(shore_run_up_m(at), 1e-3);
     let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_LACE_RUN_UP_M);

@@ -123,7 +123,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     foam = foam_level(point.undisplaced, foot);
     if WATER_LAND {
       let size = WATER_TAP_TEXEL_RATIO * foot.length_m;
-      foam = shore_add_lace(foam, ground, point.position.xz, point.height, fall, size);
+      foam = shore_add_lace(foam, ground, point.position.xz, point.height, fall, slope.jacobian, size);
     }
     front = foam.fresh;
     if WATER_HULLS {
@@ -173,18 +173,22 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
       foam_at -= wake.drift_m;
     }
     var foam_foot = foot;
+    var lit_slope = slope;
     if WATER_COAST && front > 0.5 {
-      // The pattern must not move with the eye, so its place is measured from the corner of the coast's square.
-      foam_at += shore_front_finer(coast_place(point.undisplaced));
-      foam_foot = water_footprint(
-        foot.axis + shore_front_finer(foot.axis), foot.across + shore_front_finer(foot.across));
+      // Surf squeezes the undisplaced surface to streaks, so a front has its pattern on the displaced one.
+      let folded = shore_folded(slope.jacobian);
+      foam_at = mix(foam_at, point.position.xz, folded);
+      if folded > 0.5 {
+        foam_foot = shore_front_footprint(point.position);
+      }
+      lit_slope.mean *= 1.0 - SHORE_FOLDED_LEVEL * folded;
     }
     var look = foam_appearance(foam_at, foam_foot, foam);
     if WATER_COAST {
       look = shore_soft_relief(look, front, slope.jacobian);
     }
     if look.cover > FOAM_MIN_AMOUNT {
-      var white = foam_radiance(v, slope, look);
+      var white = foam_radiance(v, lit_slope, look);
       if WATER_LAND {
         // Wet bubbles mirror the sky as the water between them does, and against a low sun are as warm.
         white += FOAM_SHORE_SHEEN * (1.0 - 0.7 * front) * surface;

@@ -25,6 +25,10 @@ const AIR_SCALE_HEIGHTS_M: [f64; 2] = [8400.0, 1200.0];
 const SALT_SCALE_HEIGHT_M: f64 = 60.0;
 /// Largest number of ripple layers, the shrunk copies of finest cascades: one for each of the two seas of a cross-fade.
 const MAX_RIPPLE_LAYERS: usize = 2;
+/// Most foam levels in which vertices look for breaking crests: in coarser ones, what breakers move is smaller than a
+/// pixel. Near a coast, waves break in the first levels, however fine the waves of the open sea are.
+const MOST_BREAKER_LEVELS: usize = 3;
+const COAST_BREAKER_LEVELS: usize = 2;
 /// Length of `cascades` in the frame uniform: room for the cascades and ripple layers of both seas of a cross-fade.
 const MAX_FRAME_CASCADES: usize = MAX_DRAWN_CASCADES + MAX_RIPPLE_LAYERS;
 
@@ -104,7 +108,8 @@ gpu_struct! {
         pub coast_uv_below_eye: [f32; 2],
         /// Reciprocal of the side of this square, 1/m; 0 in the open sea.
         pub coast_inverse_side: f32,
-        unused: u32,
+        /// Number of entries at the start of `foam_levels` that tell where crests break.
+        pub breaker_level_count: u32,
         /// Polar lattice of the water mesh: positions of its vertices before displacement.
         pub mesh_lattice: MeshLattice,
         /// Cascades of all drawn seas, then their ripple layers (shrunk copies of cascades); the rest is unused.
@@ -168,7 +173,7 @@ impl FrameUniform {
                 * mean_density_below(view.eye.y, SALT_SCALE_HEIGHT_M)) as f32,
             coast_uv_below_eye: maps.coast.as_ref().map_or([0.0; 2], |c| c.square.uv(below_eye).map(|x| x as f32)),
             coast_inverse_side: maps.coast.as_ref().map_or(0.0, |coast| coast.square.side_m.recip() as f32),
-            unused: 0,
+            breaker_level_count: breaker_level_count(maps),
             mesh_lattice: mesh.lattice,
             cascades: padded_array(cascades.chain(ripples)),
             foam_levels: padded_array(levels),
@@ -254,6 +259,13 @@ fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64
     // Rings of drops run in all directions.
     let rings = 0.5 * rain::ring_slope_variance(rain);
     (shown, covariance_in_world_axes(sea, left.map(|l| l.max(0.0) + rings)))
+}
+
+/// Number of foam levels, from the finest on, in which a vertex of the water looks for breaking crests.
+fn breaker_level_count(maps: &Maps) -> u32 {
+    let in_open_sea = maps.foam_levels.iter().take_while(|level| level.has_breakers).count().min(MOST_BREAKER_LEVELS);
+    let at_coast = if maps.coast.is_some() { COAST_BREAKER_LEVELS } else { 0 };
+    in_open_sea.max(at_coast) as u32
 }
 
 /// Variances along x (east) and z (south) and covariance, in the order xx, zz, xz, of slopes that have the given

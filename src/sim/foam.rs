@@ -202,7 +202,8 @@ impl FoamScheduler {
             .map(|level| {
                 let cell_m = cell_m(self.size, level);
                 let centre = self.first_cell(level, centre).map(|c| (f64::from(c) + half) * cell_m);
-                FoamLevel { cell_m, centre_m: centre }
+                let has_breakers = self.parameters.sources[level].source_slope > 0.0;
+                FoamLevel { cell_m, centre_m: centre, has_breakers }
             })
             .collect()
     }

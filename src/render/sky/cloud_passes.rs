@@ -89,6 +89,7 @@ impl CloudPasses {
         let weather = weather.create_view(&wgpu::TextureViewDescriptor::default());
         let sampler = repeating_sampler(gpu);
         let shadow = mip_view(maps.shadow, 0);
+        let whole_shadow = maps.shadow.create_view(&wgpu::TextureViewDescriptor::default());
         let field = (BindingType::Uniform(size_of::<CloudField>()), maps.field.as_entire_binding());
         let sky = (BindingType::Uniform(size_of::<SkyUniform>()), tables.sky.as_entire_binding());
         let light = (BindingType::StorageRead(size_of::<LightBuffer>()), tables.light.as_entire_binding());
@@ -119,6 +120,7 @@ impl CloudPasses {
             weather_map,
             noise_map,
             repeat,
+            (BindingType::Texture, TextureView(&whole_shadow)),
             (BindingType::StorageTextureArray(format), TextureView(maps.dome)),
         ];
         let noise_bindings = [(BindingType::StorageTexture3d(NOISE_FORMAT), TextureView(&noise))];

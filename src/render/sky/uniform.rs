@@ -215,7 +215,8 @@ gpu_struct! {
         pub fog_sky_radiance: [f32; 3],
         /// Sunlight above fog and rain divided by that below them, where `sun_irradiance` is; 1 without fog.
         pub sun_above_fog: f32,
-        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun at half the fog's height, on a plane facing it.
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun at half the fog's height, on a plane facing it, where
+        /// no cloud shades it.
         pub fog_sun_irradiance: [f32; 3],
         unused_1: u32,
         /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky behind the volumetric
