@@ -198,6 +198,35 @@ fn clouds_mottle_the_sea() {
     assert!(mottled > even + 0.1, "{even} {mottled}");
 }
 
+/// The air and the rain before a cloud that hides the sun have no glow around it: the cloud shades them, too.
+#[test]
+fn no_glow_lies_before_a_cloud_that_hides_the_sun() {
+    let gpu = gpu();
+    // The sun is in the middle of the picture.
+    let view = "n=64&wind=6&dir=300&t=300&dither=0&bloom=0&exposure=-2&y=3&sun=7&sunaz=20&heading=20&pitch=7&fov=35";
+    let glow = |sky: &str| {
+        let pixels = render(&gpu, &format!("{view}&{sky}"));
+        let [width, height] = SIZE.map(|s| s as usize);
+        let degree = height as f64 / 35.0;
+        let around = |turn_deg: f64| {
+            let column = (width as f64 / 2.0 + turn_deg * degree) as usize;
+            let half = degree as usize;
+            let rows = height / 2 - half..height / 2 + half;
+            let lights = rows.flat_map(|y| &pixels[y * width + column - half..y * width + column + half]);
+            lights.map(|p| luminance(*p)).sum::<f64>() / (4 * half * half) as f64
+        };
+        2.0 * around(0.0) / (around(-5.0) + around(5.0))
+    };
+    let deck = "clouds=stratocumulus&cloudcover=0.8";
+    let [clear, cloudy, rain, shafts] =
+        ["clouds=none", deck, &format!("{deck}&rain=3"), &format!("{deck}&rain=3&squalls=1")].map(glow);
+    eprintln!(
+        "light at the sun, relative to that beside it: clear {clear:.2}, deck {cloudy:.2}, rain {rain:.2}, shafts {shafts:.2}"
+    );
+    assert!(clear > 1.15, "{clear}");
+    assert!([cloudy, rain, shafts].iter().all(|glow| *glow < 1.08), "{cloudy} {rain} {shafts}");
+}
+
 /// A picture with clouds depends on its state alone, and without clouds it is as if there were no such parameters.
 #[test]
 fn clouds_depend_on_the_state_alone() {

@@ -190,8 +190,7 @@ fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4
   let air = dome_air_transmittance(dir.y, shafts.distance_km);
   let whole = dome_air_transmittance(dir.y, 1e3);
   let hazed = saturate((1.0 - air) / max(1.0 - whole, vec3f(1e-3)));
-  let open_air = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), veil);
-  let before = sky_shaded_air(open_air) * (0.5 * hazed);
+  let before = ray_air_radiance(dir, above, shafts.distance_km) * (0.5 * hazed);
   let own = (grey * shade + sun) * air + before;
   let through = shafts.transmittance;
   return vec4f(behind.rgb * through + own * (1.0 - through), behind.a * through);
@@ -237,8 +236,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let air = dome_air_transmittance(dir.y, seen.distance_km);
       let whole = dome_air_transmittance(dir.y, 1e3);
       let hazed = (1.0 - air) / max(1.0 - whole, vec3f(1e-3));
-      let clear = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), veil);
-      let before = sky_shaded_air(clear) * saturate(hazed) * (1.0 - seen.transmittance);
+      let before = ray_air_radiance(dir, above, seen.distance_km) * saturate(hazed) * (1.0 - seen.transmittance);
       out = vec4f(radiance * air + before, seen.transmittance);
     }
   }

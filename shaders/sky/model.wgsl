@@ -28,11 +28,16 @@ fn sky_open_share() -> f32 {
 const SKY_SHADED_AIR = 0.2;
 const SKY_SHADED_GREY = 0.75;
 
-// Radiance of the air below volumetric clouds, which shade it, where clear air has the radiance `clear`. The light that
-// comes to it from clouds has no blue of the sky.
+// Radiance of air that the sun lights between clouds on the fraction `open` of its length. `clear` is that of clear air
+// in the sun, `diffuse` that of air that only scattered light reaches: from clouds comes no blue of the sky.
+fn sky_partly_shaded_air(clear: vec3f, diffuse: vec3f, open: f32) -> vec3f {
+  let shaded = SKY_SHADED_AIR * mix(diffuse, vec3f(sky_luminance(diffuse)), SKY_SHADED_GREY);
+  return mix(shaded, clear, open);
+}
+
+// Mean radiance of the air below volumetric clouds, where clear air has the radiance `clear`.
 fn sky_shaded_air(clear: vec3f) -> vec3f {
-  let shaded = SKY_SHADED_AIR * mix(clear, vec3f(sky_luminance(clear)), SKY_SHADED_GREY);
-  return mix(shaded, clear, sky_open_share());
+  return sky_partly_shaded_air(clear, clear, sky_open_share());
 }
 
 // Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading

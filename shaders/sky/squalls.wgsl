@@ -1,5 +1,5 @@
 // Shafts of rain between clouds and sea, seen at a distance. Distances are in km, in the frame of the clouds' field.
-// Needs the functions of cloud_field.wgsl.
+// Needs the functions of cloud_field.wgsl and cloud_rays.wgsl.
 
 // Whether shafts of rain are compiled in.
 override CLOUD_SQUALLS: bool = false;
@@ -14,8 +14,6 @@ const SQUALL_EXTINCTION_PER_KM = 2.0;
 // Distance by which falling rain lags behind its cloud for each km of fall: the difference of wind speeds at the cloud
 // and below, divided by the fall speed.
 const SQUALL_LAG = 1.1;
-// Sine of the sun's elevation below which its light comes to the shafts as from this one.
-const SQUALL_LOWEST_SUN = 0.05;
 // Width of the edge of a shaft, in values of the noise.
 const SQUALL_EDGE = 0.1;
 
@@ -46,20 +44,8 @@ struct SquallLight {
   sunlit: f32,
 }
 
-// Fraction of the sunlight that the clouds let through to a point below them, averaged over `size_km`. `slope` is the
-// direction to the sun, divided by its vertical part.
-fn squall_sunlit(p: vec3f, slope: vec3f, size_km: f32) -> f32 {
-  let at_base = p.xz + slope.xz * (cloud_field.base_km - p.y);
-  let texels_per_km = cloud_field.tiles_per_km * f32(textureDimensions(cloud_shadow_map).x);
-  let lod = log2(max(size_km * texels_per_km, 1.0));
-  return textureSampleLevel(cloud_shadow_map, cloud_sampler, at_base * cloud_field.tiles_per_km, lod).r;
-}
-
 // Shafts on a ray from the sea up to the distance `near`, where the ray meets the clouds' base.
 fn squall_march(dir: vec3f, near: f32) -> SquallLight {
-  let ray = cloud_turned(dir);
-  let sun = cloud_turned(sky.sun_direction);
-  let slope = sun / max(sun.y, SQUALL_LOWEST_SUN);
   let far = min(near, SQUALL_FAR_KM);
   var depth = 0.0;
   var seen = 1e-6;
@@ -70,15 +56,14 @@ fn squall_march(dir: vec3f, near: f32) -> SquallLight {
     // Steps grow with the distance.
     let next = min(before * 1.08 + 0.02, far);
     let t = 0.5 * (before + next);
-    let p = vec3f(
-      cloud_field.eye_km.x + ray.x * t, atm_altitude_along_ray(0.0, dir.y, t), cloud_field.eye_km.y + ray.z * t);
+    let p = ray_point(dir, t);
     let density = squall_density(p) * smoothstep(SQUALL_NEAR_KM.x, SQUALL_NEAR_KM.y, t);
     let share = density * (next - before) * exp(-SQUALL_EXTINCTION_PER_KM * depth);
     depth += density * (next - before);
     seen += share;
     distance_sum += share * t;
     if share > 0.0 {
-      sunlit_sum += share * squall_sunlit(p, slope, 0.5 * (next - before));
+      sunlit_sum += share * ray_sunlit(p, 0.5 * (next - before));
     }
     before = next;
   }

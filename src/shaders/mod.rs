@@ -164,6 +164,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
             SKY,
             CLOUD_MAP,
             CLOUD_FIELD,
+            part!("sky/cloud_rays.wgsl"),
             part!("sky/squalls.wgsl"),
             part!("sky/dome_cirrus.wgsl"),
             part!("sky/cloud_dome.wgsl"),

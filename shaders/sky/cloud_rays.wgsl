@@ -1,0 +1,40 @@
+// Sunlight that comes down between clouds. Distances are in km, in the frame of the clouds' field. Needs the functions
+// of cloud_field.wgsl and the module variable cloud_shadow_map.
+
+// Sine of the sun's elevation below which its light comes as from this one.
+const RAY_LOWEST_SUN = 0.05;
+// Number of places on a ray at which the sunlight on the air is read.
+const RAY_AIR_SAMPLES = 8;
+
+// Fraction of the sunlight that the clouds let through to a point below them, averaged over `size_km`.
+fn ray_sunlit(p: vec3f, size_km: f32) -> f32 {
+  let sun = cloud_turned(sky.sun_direction);
+  let at_base = p.xz + sun.xz * ((cloud_field.base_km - p.y) / max(sun.y, RAY_LOWEST_SUN));
+  let texels_per_km = cloud_field.tiles_per_km * f32(textureDimensions(cloud_shadow_map).x);
+  let lod = log2(max(size_km * texels_per_km, 1.0));
+  return textureSampleLevel(cloud_shadow_map, cloud_sampler, at_base * cloud_field.tiles_per_km, lod).r;
+}
+
+// Position in the frame of the field at a distance along a ray from the sea.
+fn ray_point(dir: vec3f, distance_km: f32) -> vec3f {
+  let along = cloud_turned(dir) * distance_km;
+  let altitude = atm_altitude_along_ray(0.0, dir.y, distance_km);
+  return vec3f(cloud_field.eye_km.x + along.x, altitude, cloud_field.eye_km.y + along.z);
+}
+
+// Radiance of the air on a ray up to a distance at which there are clouds or rain, relative to its opacity. Shaded air
+// has no glow around the sun, but the light of clear air beside it. The mean over all rays follows sky_open_share.
+fn ray_air_radiance(dir: vec3f, above: f32, distance_km: f32) -> vec3f {
+  var sum = 0.0;
+  for (var i = 0; i < RAY_AIR_SAMPLES; i++) {
+    let part = (f32(i) + 0.5) / f32(RAY_AIR_SAMPLES);
+    sum += ray_sunlit(ray_point(dir, part * distance_km), 0.1 * distance_km);
+  }
+  let mean = sum / f32(RAY_AIR_SAMPLES);
+  let contrast = mean / max(light.cloud_sun_transmittance, 1e-3);
+  let beside = vec3f(-sky.sun_heading.y, dir.y, sky.sun_heading.x);
+  let clear = sky_clear_radiance(dir, above);
+  let diffuse = sky_clear_radiance(beside, above);
+  let air = sky_partly_shaded_air(clear, diffuse, min(sky_open_share() * contrast, 1.0));
+  return mix(air, sky_overcast_radiance(above), sky.overcast * sky.overcast);
+}
