@@ -62,7 +62,8 @@ fn land_sand(
   out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + trodden * vec2f(0.8, -0.6) * fine.z;
   // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
   let lively = 0.1 + 0.9 * min(run_up, 1.0);
-  let lobes = lively * (0.10 * middle.z + 0.06 * fine.w + 0.04 * fine.z);
+  let tongues = swash_tongues(place, size);
+  let lobes = lively * (0.12 * tongues.z + 0.05 * tongues.w + 0.03 * fine.z);
   let film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 2.2 / lively + 0.5);
   // Sand that is full of water shines a little.
   out.film = max(film, LAND_SHEEN * fresh * fresh);

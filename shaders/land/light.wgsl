@@ -183,7 +183,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   if film > 0.0 || (shown.y == 0.0 && height < run_up) {
     swept = swash_cover(position.xz, size);
     if swept > SWASH_SWEPT.x && shown.y == 0.0 {
-      let bend = land_noise(place.yx, LAND_MIDDLE_M, size);
+      let bend = swash_tongues(place, size);
       film = max(film, swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, length(slope)));
     }
   }

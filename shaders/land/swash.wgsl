@@ -54,6 +54,16 @@ const SWASH_GLOW = 0.16;
 // Stops of light between hollows and lumps of the body, for each deviation of their noise.
 const SWASH_LUMPS = 0.35;
 
+// How much shorter the pattern of the edges of films is along the shore than across it, and the side of its tile along the
+// shore, m.
+const SWASH_TONGUE_STRETCH = 0.22;
+const SWASH_TONGUE_TILE_M = 41.0;
+
+// Noise that shapes the edge of a film of water on sand: it retreats in tongues, not in patches.
+fn swash_tongues(place: vec2f, size: f32) -> vec4f {
+  return land_noise(vec2f(SWASH_TONGUE_STRETCH * place.x, place.y), SWASH_TONGUE_TILE_M, size);
+}
+
 // Cover of the foam that a wave has left: where it is more than x, the wave has also left a film of water, and from y on
 // the film covers all sand.
 const SWASH_SWEPT = vec2f(0.03, 0.45);

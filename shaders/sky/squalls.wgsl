@@ -14,6 +14,8 @@ const SQUALL_EXTINCTION_PER_KM = 2.0;
 // Distance by which falling rain lags behind its cloud for each km of fall: the difference of wind speeds at the cloud
 // and below, divided by the fall speed.
 const SQUALL_LAG = 1.1;
+// Width over which the sunlight on shafts is averaged besides, km: shafts that are lit by single gaps would look torn.
+const SQUALL_BLUR_KM = 0.5;
 // Width of the edge of a shaft, in values of the noise.
 const SQUALL_EDGE = 0.1;
 
@@ -63,7 +65,7 @@ fn squall_march(dir: vec3f, near: f32) -> SquallLight {
     seen += share;
     distance_sum += share * t;
     if share > 0.0 {
-      sunlit_sum += share * ray_sunlit(p, 0.5 * (next - before));
+      sunlit_sum += share * ray_sunlit(p, 0.5 * (next - before) + SQUALL_BLUR_KM);
     }
     before = next;
   }

@@ -10,9 +10,6 @@
 // Weights of the layers in the pattern of a breaker's front: windrows, billows, strands and threads. Their squares add up
 // to 1.
 const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.68, 0.6, 0.41);
-// Weights in the pattern of a front near a coast. The steep face of surf draws strands and threads out to long streaks,
-// so they count less.
-const FOAM_SURF_WEIGHTS = vec4f(0.08, 0.93, 0.25, 0.25);
 // Change of these weights at the edge of a front, where it covers half of the water: fewer billows, more strands and
 // threads, so that the edge is lace.
 const FOAM_FRONT_EDGE_WEIGHTS = vec4f(0.0, -0.24, 0.08, 0.2);
@@ -84,7 +81,7 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
     material.noise_layers[FOAM_STRAND_LAYER].foam_weight, material.noise_layers[FOAM_THREAD_LAYER].foam_weight);
   let aged = layers * mix(FOAM_OLD_WEIGHTS, FOAM_NEW_WEIGHTS, amount.young);
   let edge = 4.0 * amount.cover * (1.0 - amount.cover);
-  let front = select(FOAM_FRONT_WEIGHTS, FOAM_SURF_WEIGHTS, WATER_COAST) + edge * FOAM_FRONT_EDGE_WEIGHTS;
+  let front = FOAM_FRONT_WEIGHTS + edge * FOAM_FRONT_EDGE_WEIGHTS;
   let raw = mix(aged * inverseSqrt(dot(aged, aged)), front, fresh);
   let weights = raw * inverseSqrt(dot(raw, raw));
   let unresolved = 1.0 - dot(weights * weights, kept);

@@ -63,9 +63,7 @@ const SHORE_FRONT_LEVEL = 0.4;
 // Length of a pixel's footprint on a front, relative to its width: fronts face the eye or the sky.
 const SHORE_FRONT_LENGTH = 2.0;
 // Part of the relief that fronts near a coast lose.
-const SHORE_FRONT_SOFTNESS = 0.85;
-// Part of the contrast between their hollows and lumps that they lose: the squeeze would draw it out to streaks.
-const SHORE_FRONT_EVEN = 0.3;
+const SHORE_FRONT_SOFTNESS = 0.6;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 
@@ -137,14 +135,13 @@ fn shore_front_footprint(position: vec3f) -> WaterFootprint {
   return water_footprint(vec2f(-away.y, away.x), SHORE_FRONT_LENGTH * away);
 }
 
-// The look of foam near a coast, of which the part `fresh` belongs to fronts, with less relief where the surface is
-// squeezed or folded and in fronts, because the mesh has the billows of these (breaker.wgsl).
-fn shore_soft_relief(look: FoamAppearance, fresh: f32, jacobian: f32) -> FoamAppearance {
-  let left = saturate(1.5 * jacobian - 0.3) * (1.0 - SHORE_FRONT_SOFTNESS * fresh);
+// The look of foam near a coast, of which the part `fresh` belongs to fronts, with less relief in fronts, because the mesh
+// has the billows of these (breaker.wgsl).
+fn shore_soft_relief(look: FoamAppearance, fresh: f32) -> FoamAppearance {
+  let left = 1.0 - SHORE_FRONT_SOFTNESS * fresh;
   var out = look;
   out.relief *= left;
   out.lit = mix(1.0, look.lit, left);
-  out.grain = mix(look.grain, 0.5, SHORE_FRONT_EVEN * fresh);
   return out;
 }
 

@@ -185,7 +185,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     }
     var look = foam_appearance(foam_at, foam_foot, foam);
     if WATER_COAST {
-      look = shore_soft_relief(look, front, slope.jacobian);
+      look = shore_soft_relief(look, front);
     }
     if look.cover > FOAM_MIN_AMOUNT {
       var white = foam_radiance(v, lit_slope, look);

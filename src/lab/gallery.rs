@@ -103,11 +103,11 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Rain",
-        description: "A shower from a broken deck, a low sun behind its veil with rays between the clouds, and a \
-                      yacht that sails through.",
+        description: "Showers from a broken deck: a low sun sends its rays between the clouds, and a yacht sails \
+                      through.",
         state: "v=2&wind=6&fetch=20&dir=300&scale2=1&hs2=0.6&tp2=7&swell2=0.7&sun=7&sunaz=20&clouds=stratocumulus\
-                &cloudcover=0.8&rain=3&squalls=1&glints=1&gusts=1&bloom=0.05&localexposure=0.5&y=3&heading=30&pitch=3\
-                &fov=35&t=40&afloat=yacht*70*-100",
+                &cloudcover=0.8&rain=3&squalls=1&glints=1&gusts=1&bloom=0.05&localexposure=0.5&y=3&heading=28&pitch=4\
+                &fov=35&t=785&afloat=yacht*42*-100",
     },
     GalleryPicture {
         title: "Shallow tropical water",
