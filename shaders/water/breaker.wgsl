@@ -64,6 +64,9 @@ const BREAKER_BILLOW_PER_HS = 0.22;
 // Spacings of the mesh, in lengths of the longest billows, between which billows fade, because coarser meshes cannot
 // show them.
 const BREAKER_BILLOW_SPACINGS = vec2f(0.2, 0.54);
+// Distances from the eye, in the same lengths, over which billows of the open sea appear: nearer, a storm's would stand
+// before the eye as smooth hills.
+const BREAKER_BILLOW_DISTANCES = vec2f(10.0, 22.0);
 // Mean height of billows, relative to the highest one, and its derivatives: coarse meshes have it in their place.
 const BREAKER_MEAN_BILLOWS = vec3f(0.44, 0.0, 0.0);
 
@@ -138,7 +141,11 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
     + height_m * (share_change * vec2f(foam.along_x.x, foam.along_z.x) + swell * square_change);
   var billows = BREAKER_MEAN_BILLOWS;
   if square > 0.0 {
-    let shown = 1.0 - maths_rise(mesh_spacing(length(at)) / length_m, BREAKER_BILLOW_SPACINGS);
+    let distance_m = length(at);
+    var shown = 1.0 - maths_rise(mesh_spacing(distance_m) / length_m, BREAKER_BILLOW_SPACINGS);
+    if !WATER_COAST {
+      shown *= maths_rise(distance_m / length_m, BREAKER_BILLOW_DISTANCES);
+    }
     if shown > 0.0 {
       billows = mix(billows, breaker_billows(at, length_m), shown);
     }
