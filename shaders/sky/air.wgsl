@@ -1,4 +1,5 @@
-// Light of air and fog between eye and sea. Needs the module variables frame, sky, light and those of the sky model.
+// Light of air and fog between eye and sea. Needs the module variables frame, sky, light, clouds and those of the sky
+// model, and the functions of cloud_sun.wgsl.
 
 // Features that are compiled in: a sky from an image file instead of the computed one, and fog.
 override SKY_IMAGE = true;
@@ -63,18 +64,20 @@ fn air_rainbow(dir: vec3f, mu: f32, through: f32, is_sky: bool) -> vec3f {
   return sun * rainbow_phase(dot(dir, sky.sun_direction));
 }
 
-// Sine of the sun's elevation below which its light comes to the fog as from this one.
-const AIR_LOWEST_SUN = 0.05;
+// Sine of the sun's elevation below which its light comes to the fog as from this one: that of the longest path in
+// cloud_shadow.wgsl.
+const AIR_LOWEST_SUN = 1.0 / 12.0;
 
 // Fraction of the sunlight that clouds let through to the fog on a ray with the transmittance `through`: to a point at
 // the mean distance of the light that the fog adds, averaged over the way there.
 fn air_sunlit_fog(dir: vec3f, through: f32) -> f32 {
   let depth = clamp(-log(max(through, 1e-6)), 1e-3, 10.0);
-  let distance_m = (1.0 - depth / (exp(depth) - 1.0)) / sky.fog.extinction_per_m;
-  // The beam that lights that point passes this one of the sea. Towards the sun, it is the point below the eye.
+  let distance_m = sky.fog.start_m + (1.0 - depth / (exp(depth) - 1.0)) / sky.fog.extinction_per_m;
+  // The beam that lights that point meets the sea here. Towards the sun, this is near the point below the eye.
   let sun = frame.sun_direction;
-  let place = dir.xz - sun.xz * (max(dir.y, 0.0) / max(sun.y, AIR_LOWEST_SUN));
-  return cloud_sun_transmittance(distance_m * place, log2(max(distance_m * length(place), 1.0)));
+  let height_m = max(frame.eye_height_m + distance_m * dir.y, 0.0);
+  let place = distance_m * dir.xz - sun.xz * (height_m / max(sun.y, AIR_LOWEST_SUN));
+  return cloud_sun_transmittance(place, log2(max(length(place), 1.0)));
 }
 
 // Fog and rain on a ray, with the rainbow, and the clear air before them: the radiance that they add (rgb), and the

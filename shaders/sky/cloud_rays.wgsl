@@ -1,8 +1,9 @@
 // Sunlight that comes down between clouds. Distances are in km, in the frame of the clouds' field. Needs the functions
-// of cloud_field.wgsl and the module variable cloud_shadow_map.
+// of cloud_field.wgsl and of the sky model, and the module variables cloud_shadow_map and cloud_sampler.
 
-// Sine of the sun's elevation below which its light comes as from this one.
-const RAY_LOWEST_SUN = 0.05;
+// Sine of the sun's elevation below which its light comes as from this one: that of the longest path in
+// cloud_shadow.wgsl.
+const RAY_LOWEST_SUN = 1.0 / 12.0;
 // Number of places on a ray at which the sunlight on the air is read.
 const RAY_AIR_SAMPLES = 8;
 
@@ -23,18 +24,19 @@ fn ray_point(dir: vec3f, distance_km: f32) -> vec3f {
 }
 
 // Radiance of the air on a ray up to a distance at which there are clouds or rain, relative to its opacity. Shaded air
-// has no glow around the sun, but the light of clear air beside it. The mean over all rays follows sky_open_share.
+// has no glow around the sun, but the light of clear air beside it. On average, the sun lights at most the part
+// sky_open_share.
 fn ray_air_radiance(dir: vec3f, above: f32, distance_km: f32) -> vec3f {
   var sum = 0.0;
   for (var i = 0; i < RAY_AIR_SAMPLES; i++) {
     let part = (f32(i) + 0.5) / f32(RAY_AIR_SAMPLES);
     sum += ray_sunlit(ray_point(dir, part * distance_km), 0.1 * distance_km);
   }
-  let mean = sum / f32(RAY_AIR_SAMPLES);
-  let contrast = mean / max(light.cloud_sun_transmittance, 1e-3);
-  let beside = vec3f(-sky.sun_heading.y, dir.y, sky.sun_heading.x);
-  let clear = sky_clear_radiance(dir, above);
-  let diffuse = sky_clear_radiance(beside, above);
-  let air = sky_partly_shaded_air(clear, diffuse, min(sky_open_share() * contrast, 1.0));
-  return mix(air, sky_overcast_radiance(above), sky.overcast * sky.overcast);
+  let contrast = sum / (f32(RAY_AIR_SAMPLES) * max(light.cloud_sun_transmittance, 1e-6));
+  let beside_sun = vec3f(-sky.sun_heading.y, dir.y, sky.sun_heading.x);
+  let overcast = sky_overcast_radiance(above);
+  let veil = sky.overcast * sky.overcast;
+  let clear = mix(sky_clear_radiance(dir, above), overcast, veil);
+  let diffuse = mix(sky_clear_radiance(beside_sun, above), overcast, veil);
+  return sky_partly_shaded_air(clear, diffuse, min(sky_open_share() * contrast, 1.0));
 }

@@ -58,6 +58,8 @@ const BREAKER_ROWS_X = vec4f(0.8, -0.78, 2.55, 0.63);
 const BREAKER_ROWS_Z = vec4f(0.6, 1.04, -0.52, 3.1);
 const BREAKER_BENDS_X = vec4f(-0.21, 0.24, 0.14, 0.55);
 const BREAKER_BENDS_Z = vec4f(0.28, 0.18, 0.67, -0.11);
+// How far rows bend, relative to their length.
+const BREAKER_BEND = 0.55;
 // Length of the longest billows: near a coast, m, and elsewhere relative to the significant wave height.
 const BREAKER_SURF_BILLOW_M = 1.3;
 const BREAKER_BILLOW_PER_HS = 0.22;
@@ -79,11 +81,16 @@ fn breaker_billows(at: vec2f, length_m: f32) -> vec3f {
   let count = 1.0 / (length_m * map.inverse_side);
   let rows_x = round(count * BREAKER_ROWS_X);
   let rows_z = round(count * BREAKER_ROWS_Z);
-  let bend = 2.0 * fract(place.x * round(count * BREAKER_BENDS_X) + place.y * round(count * BREAKER_BENDS_Z)) - 1.0;
-  let off = 2.0 * fract(place.x * rows_x + place.y * rows_z - 0.55 * bend * bend) - 1.0;
+  let bends_x = round(count * BREAKER_BENDS_X);
+  let bends_z = round(count * BREAKER_BENDS_Z);
+  let bend = 2.0 * fract(place.x * bends_x + place.y * bends_z) - 1.0;
+  let off = 2.0 * fract(place.x * rows_x + place.y * rows_z - BREAKER_BEND * bend * bend) - 1.0;
   let arcs = 1.0 - off * off;
   let change = (-4.0 * map.inverse_side) * vec4f(0.6, 0.6, 0.4, 0.4) * arcs.yxwz * off;
-  return vec3f(0.6 * arcs.x * arcs.y + 0.4 * arcs.z * arcs.w, dot(change, rows_x), dot(change, rows_z));
+  let bent = 4.0 * BREAKER_BEND * bend;
+  return vec3f(
+    0.6 * arcs.x * arcs.y + 0.4 * arcs.z * arcs.w,
+    dot(change, rows_x - bent * bends_x), dot(change, rows_z - bent * bends_z));
 }
 
 // How breaking waves move the water.
@@ -115,11 +122,12 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
   if foam.value.x + foam.value.y <= 0.0 {
     return out;
   }
-  // At a coast, surf_motion has made the wave lean. Where only a sheet of water runs up the beach, nothing rolls.
+  // At a coast, surf_motion makes waves lean that come ashore, and no others do. Where only a sheet of water runs up the beach, nothing rolls.
   var push = BREAKER_PUSH_PER_HEIGHT;
   var thickness = BREAKER_ROLLER;
   var forward = 0.0;
-  var length_m = BREAKER_BILLOW_PER_HS * frame.hs_m;
+  // The length has steps of half an octave, so that billows do not move while the sea glides to another one.
+  var length_m = exp2(0.5 * round(2.0 * log2(max(BREAKER_BILLOW_PER_HS * frame.hs_m, 1e-3))));
   if WATER_COAST {
     push = 0.0;
     thickness = BREAKER_SURF_ROLLER * maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
@@ -141,10 +149,9 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
     + height_m * (share_change * vec2f(foam.along_x.x, foam.along_z.x) + swell * square_change);
   var billows = BREAKER_MEAN_BILLOWS;
   if square > 0.0 {
-    let distance_m = length(at);
-    var shown = 1.0 - maths_rise(mesh_spacing(distance_m) / length_m, BREAKER_BILLOW_SPACINGS);
+    var shown = 1.0 - maths_rise(mesh_spacing(length(at)) / length_m, BREAKER_BILLOW_SPACINGS);
     if !WATER_COAST {
-      shown *= maths_rise(distance_m / length_m, BREAKER_BILLOW_DISTANCES);
+      shown *= maths_rise(length(vec3f(at.x, frame.eye_height_m, at.y)) / length_m, BREAKER_BILLOW_DISTANCES);
     }
     if shown > 0.0 {
       billows = mix(billows, breaker_billows(at, length_m), shown);

@@ -42,8 +42,8 @@ const SHORE_BACK_FOAM = 0.4;
 const SHORE_FACE_FALLS = vec2f(0.25, 0.7);
 const SHORE_FACE_COVER = 0.98;
 // Jacobians of the displacement up to which (x) the surface counts as folded, and from which (y) it does not. Where it
-// folds, its slope has no meaning.
-const SHORE_FOLDED_LEVEL = 0.7;
+// folds, its slope has no meaning: foam loses this part of it for its light.
+const SHORE_FOLDED_SLOPE_LOSS = 0.7;
 const SHORE_FOLDED_JACOBIANS = vec2f(0.1, 0.45);
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
@@ -60,6 +60,8 @@ const SHORE_FRONT_GLOW_STOPS = 3.4;
 const SHORE_FRONT_SKY = 3.0;
 // Part of that light that comes out of foam that lies level.
 const SHORE_FRONT_LEVEL = 0.4;
+// Shares of fronts in the foam of a pixel between which its pattern goes over to that of a front.
+const SHORE_FRONT_SHARES = vec2f(0.4, 0.6);
 // Length of a pixel's footprint on a front, relative to its width: fronts face the eye or the sky.
 const SHORE_FRONT_LENGTH = 2.0;
 // Part of the relief that fronts near a coast lose.
@@ -128,11 +130,15 @@ fn shore_folded(jacobian: f32) -> f32 {
   return 1.0 - maths_rise(jacobian, SHORE_FOLDED_JACOBIANS);
 }
 
-// Footprint on the displaced surface of a pixel at `position` relative to the eye.
-fn shore_front_footprint(position: vec3f) -> WaterFootprint {
-  let width_m = frame.pixel_angle * length(position);
-  let away = width_m * normalize(position.xz);
-  return water_footprint(vec2f(-away.y, away.x), SHORE_FRONT_LENGTH * away);
+// Footprint of a pixel at `position` relative to the eye, with the footprint `foot` on the undisplaced surface: the part
+// `folded` of it is that on the displaced surface.
+fn shore_front_footprint(foot: WaterFootprint, position: vec3f, folded: f32) -> WaterFootprint {
+  let away = (frame.footprint_scale * frame.pixel_angle * length(position)) * normalize(position.xz);
+  let aside = vec2f(-away.y, away.x);
+  // Sides count in both directions. The mean of two must not vanish.
+  let along = select(away, -away, dot(away, foot.axis) < 0.0);
+  let across = select(aside, -aside, dot(aside, foot.across) < 0.0);
+  return water_footprint(mix(foot.across, across, folded), mix(foot.axis, SHORE_FRONT_LENGTH * along, folded));
 }
 
 // The look of foam near a coast, of which the part `fresh` belongs to fronts, with less relief in fronts, because the mesh

@@ -174,14 +174,14 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     }
     var foam_foot = foot;
     var lit_slope = slope;
-    if WATER_COAST && front > 0.5 {
+    if WATER_COAST {
       // Surf squeezes the undisplaced surface to streaks, so a front has its pattern on the displaced one.
-      let folded = shore_folded(slope.jacobian);
-      foam_at = mix(foam_at, point.position.xz, folded);
-      if folded > 0.5 {
-        foam_foot = shore_front_footprint(point.position);
+      let folded = shore_folded(slope.jacobian) * maths_rise(front, SHORE_FRONT_SHARES);
+      if folded > 0.0 {
+        foam_at = mix(foam_at, point.position.xz, folded);
+        foam_foot = shore_front_footprint(foot, point.position, folded);
+        lit_slope.mean *= 1.0 - SHORE_FOLDED_SLOPE_LOSS * folded;
       }
-      lit_slope.mean *= 1.0 - SHORE_FOLDED_LEVEL * folded;
     }
     var look = foam_appearance(foam_at, foam_foot, foam);
     if WATER_COAST {

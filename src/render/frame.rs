@@ -265,7 +265,7 @@ fn ripple_layers<'a>(scene: &Scene, maps: &'a Maps) -> (Vec<(&'a MapCascade, f64
 fn breaker_level_count(maps: &Maps) -> u32 {
     let in_open_sea = maps.foam_levels.iter().take_while(|level| level.has_breakers).count().min(MOST_BREAKER_LEVELS);
     let at_coast = if maps.coast.is_some() { COAST_BREAKER_LEVELS } else { 0 };
-    in_open_sea.max(at_coast) as u32
+    in_open_sea.max(at_coast).min(maps.foam_levels.len()) as u32
 }
 
 /// Variances along x (east) and z (south) and covariance, in the order xx, zz, xz, of slopes that have the given

@@ -202,7 +202,9 @@ impl FoamScheduler {
             .map(|level| {
                 let cell_m = cell_m(self.size, level);
                 let centre = self.first_cell(level, centre).map(|c| (f64::from(c) + half) * cell_m);
-                let has_breakers = self.parameters.sources[level].source_slope > 0.0;
+                let source = self.parameters.sources[level];
+                // A sea that glides from one of shorter waves has part of an even source, and no crests yet.
+                let has_breakers = source.source_slope > 0.0 && source.even == 0.0;
                 FoamLevel { cell_m, centre_m: centre, has_breakers }
             })
             .collect()

@@ -155,7 +155,7 @@ pub struct FoamLevel {
     pub cell_m: f64,
     /// World position (x, z) of the level's centre, m.
     pub centre_m: [f64; 2],
-    /// Whether the cells are fine enough to tell where crests of the open sea break.
+    /// Whether crests of the open sea break, and the cells are fine enough to tell where.
     pub has_breakers: bool,
 }
 
