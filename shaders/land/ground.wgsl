@@ -32,6 +32,9 @@ const LAND_SHEEN = 0.3;
 const LAND_GRAIN_M = 0.83;
 const LAND_GRAIN_SEEN_M = 0.02;
 
+// Height above the middle of the film's edge from which no tongue of it lies on sand by a lively sea, m.
+const LAND_TONGUES_M = 0.8;
+
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
 fn land_sand(
   place: vec2f, height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32,
@@ -60,13 +63,16 @@ fn land_sand(
   let trodden = (0.008 + 0.05 * (1.0 - wet)) * saturate(0.7 + 0.4 * middle.w) * saturate(1.2 - 5.0 * size);
   let left = saturate(0.6 * middle.w - 0.2 * middle.z - 0.25) * wet;
   out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + trodden * vec2f(0.8, -0.6) * fine.z;
-  // The film drains through the sand: its edge has lobes, which are smaller where the sea is calm.
+  // The film drains through the sand: its edge has tongues, which are smaller where the sea is calm.
   let lively = 0.1 + 0.9 * min(run_up, 1.0);
-  let tongues = swash_tongues(place, size);
-  let lobes = lively * (0.12 * tongues.z + 0.05 * tongues.w + 0.03 * fine.z);
-  let film = 1.0 - maths_smooth((height + lobes - LAND_FILM_SHARE * run_up) * 2.2 / lively + 0.5);
+  let over = height - LAND_FILM_SHARE * run_up;
+  if over < LAND_TONGUES_M * lively {
+    let tongues = swash_tongues(place, size);
+    let lobes = lively * (0.12 * tongues.z + 0.05 * tongues.w + 0.03 * fine.z);
+    out.film = 1.0 - maths_smooth((over + lobes) * 2.2 / lively + 0.5);
+  }
   // Sand that is full of water shines a little.
-  out.film = max(film, LAND_SHEEN * fresh * fresh);
+  out.film = max(out.film, LAND_SHEEN * fresh * fresh);
   return out;
 }
 

@@ -93,6 +93,22 @@ fn breaker_billows(at: vec2f, length_m: f32) -> vec3f {
     dot(change, rows_x - bent * bends_x), dot(change, rows_z - bent * bends_z));
 }
 
+// Billows as breaker_billows gives them, where they are shown, and their mean elsewhere.
+fn breaker_shown_billows(at: vec2f) -> vec3f {
+  var length_m = BREAKER_SURF_BILLOW_M;
+  var shown = 1.0;
+  if !WATER_COAST {
+    // The length has steps of half an octave, so that billows do not move while the sea glides to another one.
+    length_m = exp2(0.5 * round(2.0 * log2(max(BREAKER_BILLOW_PER_HS * frame.hs_m, 1e-3))));
+    shown = maths_rise(length(vec3f(at.x, frame.eye_height_m, at.y)) / length_m, BREAKER_BILLOW_DISTANCES);
+  }
+  shown *= 1.0 - maths_rise(mesh_spacing(length(at)) / length_m, BREAKER_BILLOW_SPACINGS);
+  if shown <= 0.0 {
+    return BREAKER_MEAN_BILLOWS;
+  }
+  return mix(BREAKER_MEAN_BILLOWS, breaker_billows(at, length_m), shown);
+}
+
 // How breaking waves move the water.
 struct BreakerMotion {
   // Displacement along x, y and z, m.
@@ -122,40 +138,31 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
   if foam.value.x + foam.value.y <= 0.0 {
     return out;
   }
-  // At a coast, surf_motion makes waves lean that come ashore, and no others do. Where only a sheet of water runs up the beach, nothing rolls.
-  var push = BREAKER_PUSH_PER_HEIGHT;
-  var thickness = BREAKER_ROLLER;
-  var forward = 0.0;
-  // The length has steps of half an octave, so that billows do not move while the sea glides to another one.
-  var length_m = exp2(0.5 * round(2.0 * log2(max(BREAKER_BILLOW_PER_HS * frame.hs_m, 1e-3))));
-  if WATER_COAST {
-    push = 0.0;
-    thickness = BREAKER_SURF_ROLLER * maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
-    forward = BREAKER_SURF_FORWARD;
-    length_m = BREAKER_SURF_BILLOW_M;
-  }
-  let excess_square = foam.value.x * foam.value.x;
-  let over = 1.0 / (excess_square + BREAKER_HALF_EXCESS_SQUARE);
-  let share = push * excess_square * over;
-  let share_change = (2.0 * push * BREAKER_HALF_EXCESS_SQUARE) * foam.value.x * over * over;
   let direction = unpack2x16snorm(frame.breaker_direction);
   // The roller's thickness is proportional to the square of the front, so that its edge rises without a kink.
   let square = foam.value.y * foam.value.y;
   let square_change = (2.0 * foam.value.y) * vec2f(foam.along_x.y, foam.along_z.y);
-  // All of it swells forward alike: billows that did so one by one would fold the surface.
-  let swell = forward * (thickness.x + thickness.y * BREAKER_MEAN_BILLOWS.x);
-  let forward_m = (share + swell * square) * height_m;
-  let forward_change = (share + swell * square) * slope
-    + height_m * (share_change * vec2f(foam.along_x.x, foam.along_z.x) + swell * square_change);
+  var thickness = BREAKER_ROLLER;
+  var forward_m = 0.0;
+  var forward_change = vec2f(0.0);
+  if WATER_COAST {
+    // surf_motion makes waves lean that come ashore, and no others do. Where only a sheet of water runs up the beach,
+    // nothing rolls. All of a roller swells forward alike: billows that did so one by one would fold the surface.
+    thickness = BREAKER_SURF_ROLLER * maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
+    let swell = BREAKER_SURF_FORWARD * (thickness.x + thickness.y * BREAKER_MEAN_BILLOWS.x);
+    forward_m = swell * square * height_m;
+    forward_change = swell * (square * slope + height_m * square_change);
+  } else {
+    let excess_square = foam.value.x * foam.value.x;
+    let over = 1.0 / (excess_square + BREAKER_HALF_EXCESS_SQUARE);
+    let share = BREAKER_PUSH_PER_HEIGHT * excess_square * over;
+    let share_change = (2.0 * BREAKER_PUSH_PER_HEIGHT * BREAKER_HALF_EXCESS_SQUARE) * foam.value.x * over * over;
+    forward_m = share * height_m;
+    forward_change = share * slope + (share_change * height_m) * vec2f(foam.along_x.x, foam.along_z.x);
+  }
   var billows = BREAKER_MEAN_BILLOWS;
   if square > 0.0 {
-    var shown = 1.0 - maths_rise(mesh_spacing(length(at)) / length_m, BREAKER_BILLOW_SPACINGS);
-    if !WATER_COAST {
-      shown *= maths_rise(length(vec3f(at.x, frame.eye_height_m, at.y)) / length_m, BREAKER_BILLOW_DISTANCES);
-    }
-    if shown > 0.0 {
-      billows = mix(billows, breaker_billows(at, length_m), shown);
-    }
+    billows = breaker_shown_billows(at);
   }
   let roller = thickness.x + thickness.y * billows.x;
   let roller_change = roller * square_change + (square * thickness.y) * billows.yz;

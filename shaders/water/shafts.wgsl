@@ -66,9 +66,11 @@ fn shafts_gain(map: texture_2d<f32>, dir: vec3f, depth_m: f32, length_m: f32) ->
   let speed = length(along) / SHAFTS_NEAR_M;
   let turns = atan2(along.y, along.x + 1e-9) / (2.0 * ATM_PI);
   let end_m = min(length_m, 3.5 / max(medium_extinction().g, 0.02));
-  // Binary logarithms per metre of what reaches the eye, and of the focused light, some of which is scattered on its way.
+  // Binary logarithms of what reaches the eye, per metre, and of the focused light, some of which is scattered on its
+  // way, for each length SHAFTS_FIRST_DEPTH_M.
   let rate = 1.442695 * medium_rates(dir)[1].g;
-  let blur = 1.442695 * 0.25 * (material.scattering.g - material.backscatter.g) / beam.y;
+  let blur = SHAFTS_FIRST_DEPTH_M * 1.442695 * 0.25 * (material.scattering.g - material.backscatter.g) / beam.y;
+  let channels_per_octave = 1.0 / log2(SHAFTS_DEPTH_RATIO);
   const CHANNELS = vec4f(0.0, 1.0, 2.0, 3.0);
   var sum = 0.0;
   var total = 1e-6;
@@ -82,9 +84,9 @@ fn shafts_gain(map: texture_2d<f32>, dir: vec3f, depth_m: f32, length_m: f32) ->
     let depths = max((depth_m - dir.y * t) / SHAFTS_FIRST_DEPTH_M, 1e-3);
     let v = log2(1.0 + speed * t) / SHAFTS_LOG_RANGE;
     let gains = textureSampleLevel(map, sky_sampler, vec2f(turns, v), 0.0);
-    let channel = clamp(log2(depths) / log2(SHAFTS_DEPTH_RATIO), 0.0, 3.0);
+    let channel = clamp(channels_per_octave * log2(depths), 0.0, 3.0);
     let gain = dot(gains, saturate(1.0 - abs(channel - CHANNELS)));
-    sum += weight * min(depths, 1.0) * exp2(blur * SHAFTS_FIRST_DEPTH_M * depths) * (gain - 1.0);
+    sum += weight * min(depths, 1.0) * exp2(blur * depths) * (gain - 1.0);
     total += weight;
   }
   return max(1.0 + SHAFTS_STRENGTH * sum / total, 0.0);
