@@ -105,7 +105,8 @@ fn points_of_seas(gpu: &Gpu, shaders: &Shaders, wind: f64, fetch: f64) -> Vec<Po
     (1..=3).flat_map(|seed| points(gpu, shaders, &state(seed), 60_000)).collect()
 }
 
-/// What the motion of breaking crests changes in a sea: values without it (index 0) and with it (1).
+/// Statistics of a sea. Arrays hold the value for the waves alone, then the value for waves whose breaking crests lean
+/// and bear rollers of foam.
 struct Change {
     /// Steepness of lee faces, relative to that of weather faces.
     asymmetry: [f64; 2],

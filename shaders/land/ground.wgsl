@@ -32,7 +32,8 @@ const LAND_SHEEN = 0.3;
 const LAND_GRAIN_M = 0.83;
 const LAND_GRAIN_SEEN_M = 0.02;
 
-// Height above the middle of the film's edge from which no tongue of it lies on sand by a lively sea, m.
+// Height above the mean edge of the film of water on sand, m, above which the film has no tongues where waves run up a
+// metre or more. Lower run-ups have lower tongues.
 const LAND_TONGUES_M = 0.8;
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.

@@ -64,10 +64,6 @@ fn air_rainbow(dir: vec3f, mu: f32, through: f32, is_sky: bool) -> vec3f {
   return sun * rainbow_phase(dot(dir, sky.sun_direction));
 }
 
-// Sine of the sun's elevation below which its light comes to the fog as from this one: that of the longest path in
-// cloud_shadow.wgsl.
-const AIR_LOWEST_SUN = 1.0 / 12.0;
-
 // Fraction of the sunlight that clouds let through to the fog on a ray with the transmittance `through`: to a point at
 // the mean distance of the light that the fog adds, averaged over the way there.
 fn air_sunlit_fog(dir: vec3f, through: f32) -> f32 {
@@ -76,7 +72,7 @@ fn air_sunlit_fog(dir: vec3f, through: f32) -> f32 {
   // The beam that lights that point meets the sea here. Towards the sun, this is near the point below the eye.
   let sun = frame.sun_direction;
   let height_m = max(frame.eye_height_m + distance_m * dir.y, 0.0);
-  let place = distance_m * dir.xz - sun.xz * (height_m / max(sun.y, AIR_LOWEST_SUN));
+  let place = distance_m * dir.xz - sun.xz * (height_m / max(sun.y, SKY_LOWEST_BEAM));
   return cloud_sun_transmittance(place, log2(max(length(place), 1.0)));
 }
 

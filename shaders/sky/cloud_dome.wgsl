@@ -103,8 +103,7 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
     if t >= far || out.transmittance < DOME_LEAST_TRANSMITTANCE {
       break;
     }
-    let alt = atm_altitude_along_ray(0.0, dir.y, t);
-    let p = vec3f(cloud_field.eye_km.x + ray.x * t, alt, cloud_field.eye_km.y + ray.z * t);
+    let p = ray_point(dir, t);
     let finest = max(cloud_field.step_km, 0.004 * t);
     let place = cloud_depth(p);
     let depth = place.x;

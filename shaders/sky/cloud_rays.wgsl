@@ -1,16 +1,13 @@
 // Sunlight that comes down between clouds. Distances are in km, in the frame of the clouds' field. Needs the functions
 // of cloud_field.wgsl and of the sky model, and the module variables cloud_shadow_map and cloud_sampler.
 
-// Sine of the sun's elevation below which its light comes as from this one: that of the longest path in
-// cloud_shadow.wgsl.
-const RAY_LOWEST_SUN = 1.0 / 12.0;
 // Number of places on a ray at which the sunlight on the air is read.
 const RAY_AIR_SAMPLES = 8;
 
 // Fraction of the sunlight that the clouds let through to a point below them, averaged over `size_km`.
 fn ray_sunlit(p: vec3f, size_km: f32) -> f32 {
   let sun = cloud_turned(sky.sun_direction);
-  let at_base = p.xz + sun.xz * ((cloud_field.base_km - p.y) / max(sun.y, RAY_LOWEST_SUN));
+  let at_base = p.xz + sun.xz * ((cloud_field.base_km - p.y) / max(sun.y, SKY_LOWEST_BEAM));
   let texels_per_km = cloud_field.tiles_per_km * f32(textureDimensions(cloud_shadow_map).x);
   let lod = log2(max(size_km * texels_per_km, 1.0));
   return textureSampleLevel(cloud_shadow_map, cloud_sampler, at_base * cloud_field.tiles_per_km, lod).r;

@@ -11,14 +11,12 @@
 // Steps through the layer for a high sun, and the most. A long step through a cloud and a gap would close the gap.
 const SHADOW_STEPS = 24.0;
 const SHADOW_MOST_STEPS = 96.0;
-// Length of the longest path through the layer, in thicknesses (`LONGEST_SHADOW` in src/render/sky/cloud_field.rs).
-const SHADOW_LONGEST = 12.0;
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let at = (vec2f(id.xy) + 0.5) / (vec2f(textureDimensions(shadow_out)) * cloud_field.tiles_per_km);
   let sun = cloud_turned(sky.sun_direction);
-  let steep = max(sun.y, 1.0 / SHADOW_LONGEST);
+  let steep = max(sun.y, SKY_LOWEST_BEAM);
   let slope = vec3f(sun.x, steep, sun.z) / steep;
   let steps = clamp(floor(0.33 * SHADOW_STEPS * length(slope)), SHADOW_STEPS, SHADOW_MOST_STEPS);
   let step_km = 1.0 / (cloud_field.layers_per_km * steps);

@@ -21,3 +21,7 @@ const SKY_NIGHT_RADIANCE = vec3f(2.6e-8, 4.6e-8, 1.05e-7);
 fn sky_luminance(c: vec3f) -> f32 {
   return dot(c, vec3f(0.2126, 0.7152, 0.0722));
 }
+
+// Sine of the sun's elevation below which its beams pass between clouds as from this one: the reciprocal of
+// `LONGEST_SHADOW` in src/render/sky/cloud_field.rs.
+const SKY_LOWEST_BEAM = 1.0 / 12.0;

@@ -1,5 +1,4 @@
-// What the foam in a pixel looks like: the part of the pixel that it covers, how opaque it is there, and its relief, which
-// gives its shading. The pattern that foam covers is in foam_pattern.wgsl.
+// Opacity and relief of the foam in a pixel. foam_pattern.wgsl holds the pattern of noise that tells where foam lies.
 
 // Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
 // centimetres (z), m.

@@ -37,14 +37,14 @@ const SHORE_THIN_FOAM = 0.15;
 const SHORE_BACK_FALL = 0.06;
 const SHORE_BACK_M = 1.2;
 const SHORE_BACK_FOAM = 0.4;
-// Fall of the water towards the land relative to the ground, between which the front of a bore becomes all foam, and the
-// part of it that foam covers.
+// Slopes between which the front of a bore becomes all foam: how steeply the water falls towards the land, relative to
+// the ground. And the part of such a front that foam covers.
 const SHORE_FACE_FALLS = vec2f(0.25, 0.7);
 const SHORE_FACE_COVER = 0.98;
-// Jacobians of the displacement up to which (x) the surface counts as folded, and from which (y) it does not. Where it
-// folds, its slope has no meaning: foam loses this part of it for its light.
-const SHORE_FOLDED_SLOPE_LOSS = 0.7;
+// Jacobians of the displacement up to which (x) the surface counts as folded, and from which (y) it does not.
 const SHORE_FOLDED_JACOBIANS = vec2f(0.1, 0.45);
+// The slope of a folded surface has no meaning. Foam there is lit as if this part of the slope were missing.
+const SHORE_FOLDED_SLOPE_LOSS = 0.7;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
 const SHORE_WALL_SHARE = 0.3;
 // Depth of the water, m, up to which it is too thin for a cloud of bubbles: the sand shows through.
@@ -130,19 +130,20 @@ fn shore_folded(jacobian: f32) -> f32 {
   return 1.0 - maths_rise(jacobian, SHORE_FOLDED_JACOBIANS);
 }
 
-// Footprint of a pixel at `position` relative to the eye, with the footprint `foot` on the undisplaced surface: the part
-// `folded` of it is that on the displaced surface.
+// Footprint with which a pixel at `position` relative to the eye reads the pattern of foam: `foot`, which lies on the
+// undisplaced surface, where `folded` is 0, the pixel's footprint on the displaced surface where it is 1, and a mean of
+// both between.
 fn shore_front_footprint(foot: WaterFootprint, position: vec3f, folded: f32) -> WaterFootprint {
   let away = (frame.footprint_scale * frame.pixel_angle * length(position)) * normalize(position.xz);
   let aside = vec2f(-away.y, away.x);
-  // Sides count in both directions. The mean of two must not vanish.
+  // A side of a footprint may point either way. Both are turned towards each other, or their mean could be 0.
   let along = select(away, -away, dot(away, foot.axis) < 0.0);
   let across = select(aside, -aside, dot(aside, foot.across) < 0.0);
   return water_footprint(mix(foot.across, across, folded), mix(foot.axis, SHORE_FRONT_LENGTH * along, folded));
 }
 
-// The look of foam near a coast, of which the part `fresh` belongs to fronts, with less relief in fronts, because the mesh
-// has the billows of these (breaker.wgsl).
+// The look of foam near a coast, of which the part `fresh` belongs to fronts. Fronts lose relief, because the mesh has
+// their billows (breaker.wgsl).
 fn shore_soft_relief(look: FoamAppearance, fresh: f32) -> FoamAppearance {
   let left = 1.0 - SHORE_FRONT_SOFTNESS * fresh;
   var out = look;

@@ -7,7 +7,8 @@ use crate::state::look::CloudKind;
 
 /// Standard deviation of the smooth noise of the clouds, whose mean is 1/2.
 const NOISE_DEVIATION: f64 = 0.16;
-/// Length of the longest path of sunlight through the layer of clouds, in thicknesses (WGSL `SHADOW_LONGEST`).
+/// Length of the longest path of sunlight through the layer of clouds, in thicknesses (its reciprocal is
+/// WGSL `SKY_LOWEST_BEAM`).
 const LONGEST_SHADOW: f64 = 12.0;
 
 gpu_struct! {
