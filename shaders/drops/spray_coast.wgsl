@@ -42,7 +42,7 @@ fn spray_lip(map: FrameCascade, place: vec2f, t: f32, phase: f32) -> SprayLip {
   out.now = place + t * out.velocity;
   for (var step = 0u; step < SPRAY_LIP_STEPS; step++) {
     let half_amplitude = surf_sample(map, out.now).xy;
-    let off = atan2(half_amplitude.y, half_amplitude.x) - phase;
+    let off = maths_phase(half_amplitude) - phase;
     if abs(off) > SPRAY_LIP_REACH {
       out.found = 0.0;
       return out;
@@ -129,7 +129,7 @@ fn spray_birth_at_stone(map: FrameCascade, place: vec2f, t: f32, random: vec4f) 
   let crest_m = 2.0 * gains.z * length(half_amplitude);
   let lively = maths_rise(gains.w, SPRAY_BURST_RUN_UP_M) * maths_rise(crest_m / max(gains.w, 0.1), SPRAY_BURST_CREST);
   // The phase falls with time.
-  let turns_then = atan2(half_amplitude.y, half_amplitude.x) / (2.0 * ATM_PI) + t * spray.peak_hz;
+  let turns_then = maths_phase(half_amplitude) / (2.0 * ATM_PI) + t * spray.peak_hz;
   let off = abs(fract(turns_then + 0.5) - 0.5);
   out.torn *= lively * maths_smooth(1.0 - off / SPRAY_BURST_TURNS);
   // Between blocks, more is thrown up in some places than in others.

@@ -17,7 +17,7 @@ const SPRAY_LOWEST_SKY = 0.05;
 fn spray_radiance(dir: vec3f, place: vec2f, open: f32) -> vec3f {
   let sun = drop_sunlight(place);
   let forwards = SPRAY_FORWARD_SHARE * atm_henyey_greenstein(dot(dir, frame.sun_direction), SPRAY_ASYMMETRY);
-  let behind_at = vec2f(atan2(dir.x, -dir.z) / (2.0 * ATM_PI), 0.5 + max(dir.y / ATM_PI, SPRAY_LOWEST_SKY));
+  let behind_at = vec2f(sky_azimuth_turns(dir.xz), 0.5 + max(dir.y / ATM_PI, SPRAY_LOWEST_SKY));
   let behind = textureSampleLevel(environment_map, sky_sampler, behind_at, SPRAY_SKY_LOD).rgb;
   let even = sun * SPRAY_EVEN_SUN + light.sky_irradiance * SPRAY_EVEN_SKY;
   return open * even + sun * forwards + behind * SPRAY_FORWARD_SKY;

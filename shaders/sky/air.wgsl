@@ -7,7 +7,7 @@ override SKY_FOG = true;
 
 // Radiance of a sky from a file just above the horizon in this direction. Distant air takes its colour from it.
 fn air_horizon_radiance(dir: vec3f) -> vec3f {
-  let u = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
+  let u = sky_azimuth_turns(dir.xz);
   return textureSampleLevel(environment_map, sky_sampler, vec2f(u, 0.5 + 1.5 / 128.0), 1.0).rgb;
 }
 

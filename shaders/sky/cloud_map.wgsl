@@ -17,5 +17,5 @@ fn cloud_map_step(above: f32) -> f32 {
 
 // Texture coordinates of a direction. `size` is that of the dome, texels.
 fn cloud_map_uv(heading: vec2f, above: f32, size: vec2f) -> vec2f {
-  return vec2f(atan2(heading.x, -heading.y) / (2.0 * ATM_PI), atm_table_coordinate(cloud_map_rise(above), size.y));
+  return vec2f(sky_azimuth_turns(heading), atm_table_coordinate(cloud_map_rise(above), size.y));
 }

@@ -34,7 +34,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let turn = off * steps;
       let raised = middle * cos(turn.y) + above * sin(turn.y);
       let dir = raised * cos(turn.x) + side * sin(turn.x);
-      let uv = vec2f(atan2(dir.x, -dir.z) / (2.0 * MIRRORED_PI), asin(clamp(dir.y, -1.0, 1.0)) / MIRRORED_PI + 0.5);
+      let uv = vec2f(sky_azimuth_turns(dir.xz), asin(clamp(dir.y, -1.0, 1.0)) / MIRRORED_PI + 0.5);
       let weight = exp(-0.5 * dot(weighed, weighed));
       sum += weight * vec4f(textureSampleLevel(environment_map, sky_sampler, uv, lod).rgb, 1.0);
     }

@@ -43,6 +43,6 @@ fn sky_shaded_air(clear: vec3f) -> vec3f {
 // Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading
 // `image_heading_turns`.
 fn sky_image_uv(dir: vec3f) -> vec2f {
-  let azimuth = atan2(dir.x, -dir.z) / (2.0 * ATM_PI);
+  let azimuth = sky_azimuth_turns(dir.xz);
   return vec2f(0.5 + azimuth - sky.image_heading_turns, 0.5 - atm_asin(dir.y) / ATM_PI);
 }

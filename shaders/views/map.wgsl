@@ -72,7 +72,7 @@ fn fragment(in: ScreenVertex) -> @location(0) vec4f {
       }
       let h = view_amplitude(at, tile.layer, texels);
       let grey = view_colour(length(h), tile);
-      let phase = atan2(h.y, select(h.x, 1e-30, all(h == vec2f(0.0))));
+      let phase = maths_phase(h);
       return vec4f(grey.rgb * min(0.6 + 0.6 * cos(phase - vec3f(0.0, 2.0943951, 4.1887902)), vec3f(1.0)), grey.a);
     }
   }

@@ -183,7 +183,7 @@ fn water_quadrature(f: WaterFacets) -> WaterQuadrature {
     let alpha = 1.41421356 * f.tilt.sigma;
     q.low = (f.tilt.height / f.tilt.across + f.tilt.mean) / alpha;
     q.from_t = sqrt(1.0 + q.low * q.low);
-    q.range = 0.5 * ATM_PI - atan2(q.low, 1.0);
+    q.range = 0.5 * ATM_PI - atan(q.low);
   } else {
     // Slopes that are turned away from the eye are invisible.
     q.low = -(f.tilt.height + f.tilt.across * f.tilt.mean) / (f.tilt.across * f.tilt.sigma);

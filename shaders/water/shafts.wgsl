@@ -64,7 +64,7 @@ fn shafts_gain(map: texture_2d<f32>, dir: vec3f, depth_m: f32, length_m: f32) ->
   // The ray's velocity on the surface, as points on it are followed up the beam.
   let along = dir.xz - beam.xz * (dir.y / beam.y);
   let speed = length(along) / SHAFTS_NEAR_M;
-  let turns = atan2(along.y, along.x + 1e-9) / (2.0 * ATM_PI);
+  let turns = maths_phase(along) / (2.0 * ATM_PI);
   let end_m = min(length_m, 3.5 / max(medium_extinction().g, 0.02));
   // Binary logarithms of what reaches the eye, per metre, and of the focused light, some of which is scattered on its
   // way, for each length SHAFTS_FIRST_DEPTH_M.

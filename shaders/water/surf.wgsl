@@ -71,7 +71,7 @@ fn surf_half_amplitude(layer: u32, uv: vec2f) -> vec2f {
 fn surf_change(before: vec2f, here: vec2f, after: vec2f, texels_per_m: f32) -> vec2f {
   let step = maths_complex_mul(after, vec2f(here.x, -here.y)) + maths_complex_mul(here, vec2f(before.x, -before.y));
   let growth = 0.5 * (length(after) - length(before)) / max(length(here), 1e-5);
-  return texels_per_m * vec2f(atan2(step.y, step.x), growth);
+  return texels_per_m * vec2f(maths_phase(step), growth);
 }
 
 // A coast's wave at an undisplaced position.
@@ -135,7 +135,7 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
     var form = surf_form(ursell, gain * wave.here.z, height_m * wave_number);
     form = mix(vec2f(0.0, 1.0), form, wave.known);
     form.x *= mix(SURF_AT_EYE, 1.0, maths_rise(length(at), SURF_BESIDE_EYE_M));
-    let phase = atan2(wave.here.y, wave.here.x);
+    let phase = maths_phase(wave.here.xy);
     let shape = surf_shape(phase, form);
     let change = (1.0 / SURF_PHASE_STEP) * (surf_shape(phase + SURF_PHASE_STEP, form) - shape);
     let forward_m = shape.x / wave_number;

@@ -172,7 +172,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ),
     ("sky/environment", &[SKY, CLOUDY_SKY, part!("sky/environment.wgsl")]),
     ("sky/filter", &[part!("sky/filter.wgsl")]),
-    ("sky/mirrored", &[MIRRORED_MAP, part!("sky/mirrored.wgsl")]),
+    ("sky/mirrored", &[SKY_COMMON, MIRRORED_MAP, part!("sky/mirrored.wgsl")]),
     ("sky/light", &[SKY, part!("sky/light.wgsl")]),
     ("sky/background", &[MATHS, NOISE, PICTURE, CLOUDY_SKY, part!("sky/background.wgsl")]),
     ("water/displace", &[BARE_SURFACE, part!("water/shadow.wgsl"), part!("water/displace.wgsl")]),
