@@ -66,11 +66,13 @@ const BREAKER_BILLOW_PER_HS = 0.22;
 // Spacings of the mesh, in lengths of the longest billows, between which billows fade, because coarser meshes cannot
 // show them.
 const BREAKER_BILLOW_SPACINGS = vec2f(0.2, 0.54);
-// Distances from the eye, in the same lengths, over which billows of the open sea appear: nearer, a storm's would stand
-// before the eye as smooth hills.
-const BREAKER_BILLOW_DISTANCES = vec2f(10.0, 22.0);
-// Mean height of billows, relative to the highest one, and its derivatives: coarse meshes have it in their place.
-const BREAKER_MEAN_BILLOWS = vec3f(0.44, 0.0, 0.0);
+// Distance from the eye, in the same lengths, nearer than which billows of the open sea are shorter: half as long at half
+// of it, and so on. Otherwise those of a storm would stand before the eye as smooth hills.
+const BREAKER_BILLOW_DISTANCE = 16.0;
+// Largest height of those shorter ones, relative to their length.
+const BREAKER_SHORT_BILLOW_STEEPNESS = 0.33;
+// Mean height of billows, relative to the highest one: coarse meshes have it in their place.
+const BREAKER_MEAN_BILLOWS = 0.44;
 
 // Height of the billows of a roller, 0 to 1 (x), and its derivatives along x and z, 1/m (yz): round heaps with creases
 // between. They stay where they are while the front runs over them, so that it churns.
@@ -93,20 +95,43 @@ fn breaker_billows(at: vec2f, length_m: f32) -> vec3f {
     dot(change, rows_x - bent * bends_x), dot(change, rows_z - bent * bends_z));
 }
 
-// Billows as breaker_billows gives them, where they are shown, and their mean elsewhere.
-fn breaker_shown_billows(at: vec2f) -> vec3f {
-  var length_m = BREAKER_SURF_BILLOW_M;
-  var shown = 1.0;
-  if !WATER_COAST {
-    // The length has steps of half an octave, so that billows do not move while the sea glides to another one.
-    length_m = exp2(0.5 * round(2.0 * log2(max(BREAKER_BILLOW_PER_HS * frame.hs_m, 1e-3))));
-    shown = maths_rise(length(vec3f(at.x, frame.eye_height_m, at.y)) / length_m, BREAKER_BILLOW_DISTANCES);
-  }
-  shown *= 1.0 - maths_rise(mesh_spacing(length(at)) / length_m, BREAKER_BILLOW_SPACINGS);
+// How far billows of a length, m, rise above their mean, m (x), and its derivatives along x and z (yz), where vertices of
+// the mesh are `spacing` metres apart. The highest ones rise by `rise.x` metres, which has the derivatives `rise.yz`.
+fn breaker_shown_billows(at: vec2f, length_m: f32, spacing: f32, rise: vec3f) -> vec3f {
+  let shown = 1.0 - maths_rise(spacing / length_m, BREAKER_BILLOW_SPACINGS);
   if shown <= 0.0 {
-    return BREAKER_MEAN_BILLOWS;
+    return vec3f(0.0);
   }
-  return mix(BREAKER_MEAN_BILLOWS, breaker_billows(at, length_m), shown);
+  let billows = breaker_billows(at, length_m);
+  let over = billows.x - BREAKER_MEAN_BILLOWS;
+  return shown * vec3f(rise.x * over, rise.x * billows.yz + rise.yz * over);
+}
+
+// `rise`, not higher than billows of a length, m, may be that are shorter than the longest.
+fn breaker_limited(rise: vec3f, length_m: f32) -> vec3f {
+  let most_m = BREAKER_SHORT_BILLOW_STEEPNESS * length_m;
+  return select(rise, vec3f(most_m, 0.0, 0.0), rise.x > most_m);
+}
+
+// How far the billows of a place rise above their mean, as breaker_shown_billows tells it.
+fn breaker_relief(at: vec2f, rise: vec3f) -> vec3f {
+  let spacing = mesh_spacing(length(at));
+  if WATER_COAST {
+    return breaker_shown_billows(at, BREAKER_SURF_BILLOW_M, spacing, rise);
+  }
+  // The length has steps of half an octave, so that billows do not move while the sea glides to another one.
+  let longest_m = exp2(0.5 * round(2.0 * log2(max(BREAKER_BILLOW_PER_HS * frame.hs_m, 1e-3))));
+  let distance_m = length(vec3f(at.x, frame.eye_height_m, at.y));
+  let octave = max(log2(BREAKER_BILLOW_DISTANCE * longest_m / max(distance_m, 1e-3)), 0.0);
+  let length_m = longest_m * exp2(-floor(octave));
+  let longer = select(rise, breaker_limited(rise, length_m), octave >= 1.0);
+  let shorter_share = maths_smooth(fract(octave));
+  var out = (1.0 - shorter_share) * breaker_shown_billows(at, length_m, spacing, longer);
+  if shorter_share > 0.0 {
+    let shorter = breaker_limited(rise, 0.5 * length_m);
+    out += shorter_share * breaker_shown_billows(at, 0.5 * length_m, spacing, shorter);
+  }
+  return out;
 }
 
 // How breaking waves move the water.
@@ -149,7 +174,7 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
     // surf_motion makes waves lean that come ashore, and no others do. Where only a sheet of water runs up the beach,
     // nothing rolls. All of a roller swells forward alike: billows that did so one by one would fold the surface.
     thickness = BREAKER_SURF_ROLLER * maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
-    let swell = BREAKER_SURF_FORWARD * (thickness.x + thickness.y * BREAKER_MEAN_BILLOWS.x);
+    let swell = BREAKER_SURF_FORWARD * (thickness.x + thickness.y * BREAKER_MEAN_BILLOWS);
     forward_m = swell * square * height_m;
     forward_change = swell * (square * slope + height_m * square_change);
   } else {
@@ -160,14 +185,12 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
     forward_m = share * height_m;
     forward_change = share * slope + (share_change * height_m) * vec2f(foam.along_x.x, foam.along_z.x);
   }
-  var billows = BREAKER_MEAN_BILLOWS;
-  if square > 0.0 {
-    billows = breaker_shown_billows(at);
-  }
-  let roller = thickness.x + thickness.y * billows.x;
-  let roller_change = roller * square_change + (square * thickness.y) * billows.yz;
   out = breaker_pushed(out, direction, forward_m, forward_change);
-  out.moved.y += roller * square * height_m;
-  out.derivatives.slope += roller * square * slope + height_m * roller_change;
+  if square > 0.0 {
+    let crest = vec3f(height_m, slope);
+    let roller = (thickness.x + thickness.y * BREAKER_MEAN_BILLOWS) * crest + breaker_relief(at, thickness.y * crest);
+    out.moved.y += roller.x * square;
+    out.derivatives.slope += roller.yz * square + roller.x * square_change;
+  }
   return out;
 }
