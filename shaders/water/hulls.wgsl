@@ -196,14 +196,16 @@ fn hull_foam(position: vec3f, pattern: vec3f, colour: vec3f) -> vec4f {
   let distance_m = length(position);
   let dir = position / distance_m;
   let at = vec2f(pattern.x, pattern.y * 0.6);
-  let torn = 0.5 * hull_noise(at * 3.0) + 0.5 * hull_noise(at * vec2f(8.0, 10.0) + 31.0);
-  let thick = 1.2 * min(pattern.z, 1.0) - pattern.y * pattern.y;
-  // The crest is torn more than the foot.
-  let opacity = smoothstep(-0.1, 0.4, thick - (0.5 + 0.5 * pattern.y) * torn) * saturate(3.0 * pattern.z);
+  let lumps = hull_noise(at * 2.4);
+  let torn = 0.4 * lumps + 0.35 * hull_noise(at * vec2f(7.0, 9.0) + 31.0) + 0.25 * hull_noise(at * 21.0 + 57.0);
+  let thick = 1.25 * min(pattern.z, 1.0) - pattern.y * (0.4 + 0.6 * pattern.y);
+  // The foot is foam, and the crest is torn to drops, between which one sees.
+  let left = thick - (0.45 + 0.75 * pattern.y) * torn;
+  let opacity = smoothstep(-0.1, 0.4, left) * saturate(3.0 * pattern.z) * (1.0 - 0.45 * pattern.y);
   // Thick foam is lit from all sides, from above most, and its hollows are darker.
   let n = normalize(vec3f(-dir.x, 1.0, -dir.z));
   let sun = cloud_sun_irradiance() * (0.35 + 0.55 * max(dot(n, frame.sun_direction), 0.0));
-  let surface = colour * (0.75 + 0.5 * torn) * (sun + 0.8 * light.sky_irradiance) / ATM_PI;
+  let surface = colour * (0.55 + 0.6 * lumps + 0.3 * torn) * (sun + 0.8 * light.sky_irradiance) / ATM_PI;
   let air = air_to_point(dir, distance_m);
   return vec4f(min(surface * air[1] + air[0], vec3f(6e4)) * opacity, opacity);
 }

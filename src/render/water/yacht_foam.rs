@@ -92,22 +92,24 @@ fn wake(corners: &mut Vec<FoamCorner>, rise_m: f64, white: f64) {
     }
 }
 
-/// Adds a sheet whose foot lies to the side of its crest, away from the hull, or astern of it (0).
+/// Adds a sheet whose foot lies to the side of its crest, away from the hull, or astern of it (0). It is steep at its crest
+/// and flat at its foot.
 fn sheet(corners: &mut Vec<FoamCorner>, crest: &Crest, side: f64) {
     let mut along_m = 0.0;
     let mut rows = Vec::new();
     for (i, &(at, high_m, white)) in crest.iter().enumerate() {
         along_m += if i > 0 { (at - crest[i - 1].0).length() } else { 0.0 };
         let outward = if side == 0.0 { DVec3::Z } else { DVec3::X * side };
-        let foot = at + outward * (0.2 + 0.8 * high_m) + DVec3::Y * FOOT_M;
-        rows.push(
-            [(foot, 0.0), (at + DVec3::Y * high_m, 1.0)]
-                .map(|(at, up)| FoamCorner { at, pattern: [along_m, up, white] }),
-        );
+        rows.push([0.0, 0.25, 0.5, 0.75, 1.0].map(|up: f64| {
+            let out = outward * ((0.2 + 0.8 * high_m) * (1.0 - up).powi(2));
+            FoamCorner { at: at + out + DVec3::Y * (FOOT_M + up * (high_m - FOOT_M)), pattern: [along_m, up, white] }
+        }));
     }
     for pair in rows.windows(2) {
-        let [[a, b], [d, c]] = [pair[0], pair[1]];
-        corners.extend([a, b, c, a, c, d]);
+        for (near, far) in pair[0].windows(2).zip(pair[1].windows(2)) {
+            let ([a, b], [d, c]) = ([near[0], near[1]], [far[0], far[1]]);
+            corners.extend([a, b, c, a, c, d]);
+        }
     }
 }
 
