@@ -46,10 +46,10 @@ fn module_text(name: &str) -> String {
     shaders().all().find(|(n, _)| *n == name).map(|(_, text)| text).unwrap_or_default()
 }
 
-/// An atan2 of two zeros is no number on some GPUs, and 0 on software adapters. So only functions that cannot have two
-/// zeros call it: two that check their arguments, and one whose second argument is positive.
+/// atan2(0, 0) is NaN on some GPUs, and 0 on software adapters. So only functions call it that have not two zeros: two
+/// that check their arguments, and one that measures the elevation of a cloud, which never lies at the eye.
 #[test]
-fn no_atan2_gets_two_zeros() {
+fn only_functions_without_two_zeros_call_atan2() {
     const MAY: [&str; 3] = ["maths_phase", "sky_azimuth_turns", "sky_shifted_dome"];
     let mut callers = BTreeSet::new();
     for (_, module) in parsed() {

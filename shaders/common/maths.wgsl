@@ -57,9 +57,9 @@ fn maths_atan2_upper(y: f32, x: f32) -> f32 {
   return select(angle, 3.14159265359 - angle, x < 0.0);
 }
 
-// Phase, rad, of a complex number; 0 for the number 0, for which some GPUs compute an atan2 that is no number.
+// Phase, rad, of a complex number, and 0 for one that a GPU may take for 0: on some, atan2(0, 0) is NaN.
 fn maths_phase(z: vec2f) -> f32 {
-  return atan2(z.y, select(z.x, 1.0, all(z == vec2f(0.0))));
+  return atan2(z.y, select(z.x, 1.0, max(abs(z.x), abs(z.y)) < 1e-30));
 }
 
 // 0 for x <= 0, 1 for x >= 1, with a smooth step between: smoothstep without its division.

@@ -10,7 +10,7 @@ const SPRAY_LEAST_TORN = 0.001;
 // Least length over which the waves that throw up spray are filtered, m.
 const SPRAY_LEAST_SPACING_M = 0.5;
 // Optical depths of the middle of a young puff: mist (x) and coarse drops (y).
-const SPRAY_OPTICAL_DEPTH = vec2f(1.0, 0.9);
+const SPRAY_OPTICAL_DEPTH = vec2f(1.6, 1.3);
 // Range of the front of a breaker over which it throws up spray.
 const SPRAY_FRONT_RANGE = vec2f(0.3, 0.8);
 // Speeds of coarse drops that a crest of the open sea throws up, m/s, relative to the root of the significant wave

@@ -7,10 +7,10 @@ fn sky_view_azimuth_coordinate(cosine: f32) -> f32 {
   return sqrt(sqrt(max(0.5 - 0.5 * cosine, 0.0)));
 }
 
-// Azimuth of a direction, clockwise from north, in turns of 360 degrees; 0.5 for the zenith, where some GPUs compute an
-// atan2 that is no number. `heading` is the direction's horizontal part, east (x) and south (y).
+// Azimuth of a direction, clockwise from north, in turns of 360 degrees, and 0 for the zenith: on some GPUs, atan2(0, 0)
+// is NaN. `heading` is the direction's horizontal part, east (x) and south (y).
 fn sky_azimuth_turns(heading: vec2f) -> f32 {
-  return atan2(heading.x, select(-heading.y, -1.0, all(heading == vec2f(0.0)))) * 0.15915494309;
+  return atan2(heading.x, select(-heading.y, 1.0, max(abs(heading.x), abs(heading.y)) < 1e-30)) * 0.15915494309;
 }
 
 // The inverse: cosine of the azimuth from the sun at a coordinate.

@@ -63,13 +63,12 @@ const BREAKER_BEND = 0.55;
 // Length of the longest billows: near a coast, m, and elsewhere relative to the significant wave height.
 const BREAKER_SURF_BILLOW_M = 1.3;
 const BREAKER_BILLOW_PER_HS = 0.22;
-// Spacings of the mesh, in lengths of the longest billows, between which billows fade, because coarser meshes cannot
-// show them.
+// Spacings of the mesh, in lengths of billows, between which these fade, because coarser meshes cannot show them.
 const BREAKER_BILLOW_SPACINGS = vec2f(0.2, 0.54);
-// Distance from the eye, in the same lengths, nearer than which billows of the open sea are shorter: half as long at half
-// of it, and so on. Otherwise those of a storm would stand before the eye as smooth hills.
+// Distance from the eye, in lengths of the longest billows, nearer than which billows of the open sea are shorter: half
+// as long at half of it, and so on. Otherwise those of a storm would stand before the eye as smooth hills.
 const BREAKER_BILLOW_DISTANCE = 16.0;
-// Largest height of those shorter ones, relative to their length.
+// Largest height of shortened billows, relative to their length.
 const BREAKER_SHORT_BILLOW_STEEPNESS = 0.33;
 // Mean height of billows, relative to the highest one: coarse meshes have it in their place.
 const BREAKER_MEAN_BILLOWS = 0.44;
@@ -95,8 +94,9 @@ fn breaker_billows(at: vec2f, length_m: f32) -> vec3f {
     dot(change, rows_x - bent * bends_x), dot(change, rows_z - bent * bends_z));
 }
 
-// How far billows of a length, m, rise above their mean, m (x), and its derivatives along x and z (yz), where vertices of
-// the mesh are `spacing` metres apart. The highest ones rise by `rise.x` metres, which has the derivatives `rise.yz`.
+// Height of billows of a length, m, above their mean, m (x), and its derivatives along x and z (yz), where vertices of
+// the mesh are `spacing` metres apart. From the creases to the highest tops they are `rise.x` metres high, which has the
+// derivatives `rise.yz`. How billows change with the distance from the eye is left out of the derivatives: it is small.
 fn breaker_shown_billows(at: vec2f, length_m: f32, spacing: f32, rise: vec3f) -> vec3f {
   let shown = 1.0 - maths_rise(spacing / length_m, BREAKER_BILLOW_SPACINGS);
   if shown <= 0.0 {
@@ -107,13 +107,13 @@ fn breaker_shown_billows(at: vec2f, length_m: f32, spacing: f32, rise: vec3f) ->
   return shown * vec3f(rise.x * over, rise.x * billows.yz + rise.yz * over);
 }
 
-// `rise`, not higher than billows of a length, m, may be that are shorter than the longest.
-fn breaker_limited(rise: vec3f, length_m: f32) -> vec3f {
+// `rise` of shortened billows of a length, m, limited so that they are not too steep.
+fn breaker_limited_rise(rise: vec3f, length_m: f32) -> vec3f {
   let most_m = BREAKER_SHORT_BILLOW_STEEPNESS * length_m;
   return select(rise, vec3f(most_m, 0.0, 0.0), rise.x > most_m);
 }
 
-// How far the billows of a place rise above their mean, as breaker_shown_billows tells it.
+// Height of the billows at a place above their mean, and its derivatives, in the form of breaker_shown_billows.
 fn breaker_relief(at: vec2f, rise: vec3f) -> vec3f {
   let spacing = mesh_spacing(length(at));
   if WATER_COAST {
@@ -124,11 +124,11 @@ fn breaker_relief(at: vec2f, rise: vec3f) -> vec3f {
   let distance_m = length(vec3f(at.x, frame.eye_height_m, at.y));
   let octave = max(log2(BREAKER_BILLOW_DISTANCE * longest_m / max(distance_m, 1e-3)), 0.0);
   let length_m = longest_m * exp2(-floor(octave));
-  let longer = select(rise, breaker_limited(rise, length_m), octave >= 1.0);
+  let longer = select(rise, breaker_limited_rise(rise, length_m), octave >= 1.0);
   let shorter_share = maths_smooth(fract(octave));
   var out = (1.0 - shorter_share) * breaker_shown_billows(at, length_m, spacing, longer);
   if shorter_share > 0.0 {
-    let shorter = breaker_limited(rise, 0.5 * length_m);
+    let shorter = breaker_limited_rise(rise, 0.5 * length_m);
     out += shorter_share * breaker_shown_billows(at, 0.5 * length_m, spacing, shorter);
   }
   return out;

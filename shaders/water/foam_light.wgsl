@@ -7,12 +7,9 @@ const FOAM_ALBEDO = 0.6;
 // foam is too thin to glow.
 const FOAM_GLOW = 0.4;
 // Stops of sunlight (x) and of skylight (y) between hollows, where the grain is 0, and lumps, where it is 1.
-const FOAM_HOLLOW_STOPS = vec2f(4.0, 1.8);
+const FOAM_HOLLOW_STOPS = vec2f(2.8, 1.1);
 // Share of the sunlight that shades foam by its slope; light that spreads inside foam evens out the rest.
 const FOAM_FACING = 0.55;
-// Skylight on foam that stands upright and faces the sun, relative to that on level foam, less the same of foam that
-// stands with its back to the sun, halved: the sky is brighter on the sun's side.
-const FOAM_SKY_SIDE = 0.4;
 // Sunlight that spreads to foam whose slope is turned away from the sun, relative to that on a plane towards the sun:
 // without it, foam in grazing light would be cut into white and dark spots.
 const FOAM_SPREAD = 0.05;
@@ -41,7 +38,7 @@ fn foam_radiance(v: vec3f, slope: WaterSlope, foam: FoamAppearance) -> vec3f {
   // so they are limited smoothly.
   let hollow = min(0.5 * (foam.grain + sqrt(foam.grain * foam.grain + 0.05)) - 0.02, 1.4);
   let soft = exp2(FOAM_HOLLOW_STOPS.y * (hollow - 0.5));
-  let open = max(0.55 + 0.45 * n.y + FOAM_SKY_SIDE * dot(n.xz, l.xz), 0.2) * soft;
+  let open = (0.55 + 0.45 * n.y) * soft;
   let thin = mix(vec3f(1.0), FOAM_FILM_COLOUR, foam.film);
   let albedo = material.foam_colour * thin * FOAM_ALBEDO;
   let glow = FOAM_GLOW * saturate(1.0 - 4.0 * foam.film) * soft * saturate(-dot(v, l)) * saturate(8.0 * l.y);

@@ -14,7 +14,7 @@ const FOAM_SHADOW = 0.65;
 const FOAM_BILLOW_GRAIN = 1.2;
 // Grain by which the mean light of uneven foam exceeds that of its mean grain: half the variance of the grain of lumps,
 // times the natural logarithm of the change of light with it (FOAM_HOLLOW_STOPS).
-const FOAM_GRAIN_SKEW = 0.056;
+const FOAM_GRAIN_SKEW = 0.039;
 // Height of the relief of the oldest foam and of new foam, relative to that of a front.
 const FOAM_AGED_RELIEF = vec2f(0.1, 0.5);
 // Standard deviation of the slope of the relief.

@@ -197,9 +197,12 @@ fn hull_foam(position: vec3f, pattern: vec3f, colour: vec3f) -> vec4f {
   let dir = position / distance_m;
   let at = vec2f(pattern.x, pattern.y * 0.6);
   let lumps = hull_noise(at * 2.4);
-  let torn = 0.4 * lumps + 0.35 * hull_noise(at * vec2f(7.0, 9.0) + 31.0) + 0.25 * hull_noise(at * 21.0 + 57.0);
+  // A pixel averages drops that are smaller.
+  let seen = saturate(1.5 - 21.0 * frame.pixel_angle * distance_m);
+  let drops = mix(0.5, hull_noise(at * 21.0 + 57.0), seen);
+  let torn = 0.4 * lumps + 0.35 * hull_noise(at * vec2f(7.0, 9.0) + 31.0) + 0.25 * drops;
   let thick = 1.25 * min(pattern.z, 1.0) - pattern.y * (0.4 + 0.6 * pattern.y);
-  // The foot is foam, and the crest is torn to drops, between which one sees.
+  // The foot is foam, and the crest is torn to drops. One sees through between them.
   let left = thick - (0.45 + 0.75 * pattern.y) * torn;
   let opacity = smoothstep(-0.1, 0.4, left) * saturate(3.0 * pattern.z) * (1.0 - 0.45 * pattern.y);
   // Thick foam is lit from all sides, from above most, and its hollows are darker.

@@ -39,7 +39,7 @@ const SHORE_BACK_M = 1.2;
 const SHORE_BACK_FOAM = 0.4;
 // Slopes between which the front of a bore becomes all foam: how steeply the water falls towards the land, relative to
 // the ground. And the part of such a front that foam covers.
-const SHORE_FACE_FALLS = vec2f(0.25, 0.7);
+const SHORE_FACE_FALLS = vec2f(0.1, 0.4);
 const SHORE_FACE_COVER = 0.98;
 // Jacobians of the displacement up to which (x) the surface counts as folded, and from which (y) it does not.
 const SHORE_FOLDED_JACOBIANS = vec2f(0.1, 0.45);

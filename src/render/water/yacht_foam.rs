@@ -92,8 +92,8 @@ fn wake(corners: &mut Vec<FoamCorner>, rise_m: f64, white: f64) {
     }
 }
 
-/// Adds a sheet whose foot lies to the side of its crest, away from the hull, or astern of it (0). It is steep at its crest
-/// and flat at its foot.
+/// Adds a sheet whose foot lies to the side of its crest, away from the hull, or astern of it (0). It is steeper at its
+/// crest than at its foot.
 fn sheet(corners: &mut Vec<FoamCorner>, crest: &Crest, side: f64) {
     let mut along_m = 0.0;
     let mut rows = Vec::new();
@@ -122,6 +122,9 @@ mod tests {
         assert!(yacht_foam(0.5, 0.0, 1.0).is_empty());
         let foam = yacht_foam(3.0, 0.3, 0.0);
         assert!(foam.len().is_multiple_of(3) && foam.iter().all(|c| (-0.5..1.0).contains(&c.at.y)));
+        // Halfway up, a sheet is nearer to its crest than to its foot: it leans less there.
+        let row = |up: f64| foam.iter().find(|c| c.pattern[1] == up).map(|c| c.at.x.abs()).expect("a corner");
+        assert!(row(0.5) - row(1.0) < 0.3 * (row(0.0) - row(1.0)), "{} {} {}", row(0.0), row(0.5), row(1.0));
         // A rough sea throws it higher.
         let highest = |foam: &[FoamCorner]| foam.iter().map(|c| c.at.y).fold(0.0, f64::max);
         let rough = highest(&yacht_foam(3.0, 0.3, roughness(15.0)));
