@@ -21,7 +21,7 @@ const CIRRUS_ALONG = vec4f(1.0, 3.0, 5.0, 16.0);
 const CIRRUS_ACROSS = vec4f(6.0, 17.0, 47.0, 113.0);
 const CIRRUS_OCTAVE_GAIN = vec4f(4.0, 2.5, 1.9, 2.0);
 // Turn of each octave against the first one: fibres that were all parallel would look combed.
-const CIRRUS_OCTAVE_TURN = vec4f(0.0, 0.06, -0.07, 0.13);
+const CIRRUS_OCTAVE_TURN = vec4f(0.0, 0.09, -0.11, 0.17);
 // Ripples of cirrocumulus in the even places: sides of their noise, and gain.
 const CIRRUS_RIPPLES = vec2f(41.0, 53.0);
 const CIRRUS_RIPPLE_GAIN = 2.4;
@@ -45,13 +45,13 @@ const CIRRUS_EDDIES_HEIGHT = vec3f(0.008, 0.005, 0.003);
 // is left from one to the next; sideways bend of a streak, tiles per tile squared; sides of the noise along and across
 // a tile for the heads, and the values of the noise between which they become dense.
 const CIRRUS_FALL_STEPS = 10;
-const CIRRUS_FALL_STEP = 0.008;
-const CIRRUS_FALL_LEFT = 0.84;
+const CIRRUS_FALL_STEP = 0.0095;
+const CIRRUS_FALL_LEFT = 0.88;
 const CIRRUS_HOOK = 2.0;
 const CIRRUS_HEADS = vec2f(8.0, 27.0);
-const CIRRUS_HEAD_EDGE = vec2f(0.55, 0.95);
+const CIRRUS_HEAD_EDGE = vec2f(0.40, 1.05);
 // Ice between the streaks, and factor on that of the streaks: their mean is 0.46.
-const CIRRUS_STREAKS = vec2f(0.12, 3.2);
+const CIRRUS_STREAKS = vec2f(0.14, 1.9);
 // Standard deviation of the noise, and length of its longest waves, sides.
 const CIRRUS_NOISE_DEVIATION = 0.16;
 const CIRRUS_NOISE_LENGTH = 0.25;
