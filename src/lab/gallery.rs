@@ -42,7 +42,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Calm at dawn",
         description: "Beaufort 1 with a very low swell under cirrus: the water mirrors the sky just after sunrise.",
         state: "v=2&spectrum=pm&wind=1.5&scale2=1&hs2=0.3&tp2=9&sun=3&sunaz=80&haze=0.5&clouds=cirrus&cloudcover=0.4\
-                &glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=3&heading=62&pitch=3&t=40&afloat=yacht*76*-36",
+                &glints=1&gusts=1&bloom=0.12&localexposure=0.5&y=3&heading=62&pitch=3&t=40&afloat=yacht*76*-36",
     },
     GalleryPicture {
         title: "Trade wind",
@@ -77,7 +77,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Long swell",
         description: "A swell of four metres and fourteen seconds from a distant storm, under a light breeze.",
         state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=6&sunaz=268&haze=0.15\
-                &clouds=cirrus&cloudcover=0.45&glints=1&gusts=1&exposure=-0.35&bloom=0.06&localexposure=0.5&y=4\
+                &clouds=cirrus&cloudcover=0.45&glints=1&gusts=1&exposure=-0.35&bloom=0.12&localexposure=0.3&y=4\
                 &heading=285&pitch=1&fov=30&t=52&afloat=yacht*-95*-18",
     },
     GalleryPicture {
