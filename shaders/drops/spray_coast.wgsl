@@ -14,7 +14,7 @@ const SPRAY_LIP_MISSED = vec2f(0.45, 0.15);
 const SPRAY_LIP_SPEED = vec2f(0.63, 0.36);
 // Speeds of drops thrown up, relative to that of water that falls as deep as the wave is high.
 const SPRAY_SURF_JET = vec2f(0.05, 0.5);
-const SPRAY_OF_SURF = SprayKind(SPRAY_DROPS_RELAXATION_S, 1.0, 0.22, 0.9, 2.2, 1.0);
+const SPRAY_OF_SURF = SprayKind(SPRAY_DROPS_RELAXATION_S, 1.0, 0.14, 0.9, 2.2, 1.0);
 
 // The lip of a wave.
 struct SprayLip {
@@ -70,8 +70,9 @@ fn spray_birth_of_surf(map: FrameCascade, gain: f32, place: vec2f, t: f32, rando
   if lip.found <= 0.0 {
     return out;
   }
-  // The white water of the front tells that the wave breaks.
-  out.torn = lip.found * spray_front_share(lip.now + lip.to_front);
+  // The white water of the front tells that the wave breaks. The sheet that runs up the beach throws up nothing.
+  let surf = maths_smooth(BREAKER_SURF_RISE * coast_at(lip.now).x);
+  out.torn = lip.found * surf * spray_front_share(lip.now + lip.to_front);
   if out.torn <= SPRAY_LEAST_TORN {
     return out;
   }
