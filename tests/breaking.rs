@@ -235,11 +235,11 @@ fn billows_have_the_slopes_of_their_height() {
     };
     let (right, mean) = shares(&wgsl::shaders());
     assert!(right.iter().all(|r| *r > 0.95) && (mean - 0.44).abs() < 0.02, "{right:?} {mean}");
-    // Planted faults: rows do not bend, and billows that rise have no slope of that.
+    // Planted faults: rows do not bend, and the slopes leave out that billows rise along a crest.
     let (right, _) = shares(&wgsl::shaders().patched("water/light", "rows_x - bent * bends_x", "rows_x"));
-    assert!(right.iter().all(|r| *r < 0.6), "{right:?}");
+    assert!(right.iter().all(|r| *r < 0.5), "{right:?}");
     let (right, _) = shares(&wgsl::shaders().patched("water/light", "billows.yz + rise.yz * over", "billows.yz"));
-    assert!(right[2] < 0.6, "{right:?}");
+    assert!(right[2] < 0.5, "{right:?}");
 }
 
 /// Foam, excess over the breaking criterion and front of a foam level, after a step to a time.

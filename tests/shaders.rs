@@ -46,8 +46,8 @@ fn module_text(name: &str) -> String {
     shaders().all().find(|(n, _)| *n == name).map(|(_, text)| text).unwrap_or_default()
 }
 
-/// atan2(0, 0) is NaN on some GPUs, and 0 on software adapters. So only functions call it that have not two zeros: two
-/// that check their arguments, and one that measures the elevation of a cloud, which never lies at the eye.
+/// atan2(0, 0) is NaN on some GPUs, and 0 on software adapters. So it is called only by functions whose arguments are not
+/// both zero: two check them, and one measures the elevation of a cloud, which never lies at the eye.
 #[test]
 fn only_functions_without_two_zeros_call_atan2() {
     const MAY: [&str; 3] = ["maths_phase", "sky_azimuth_turns", "sky_shifted_dome"];

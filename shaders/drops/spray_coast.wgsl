@@ -71,8 +71,7 @@ fn spray_birth_of_surf(map: FrameCascade, gain: f32, place: vec2f, t: f32, rando
     return out;
   }
   // The white water of the front tells that the wave breaks. The sheet that runs up the beach throws up nothing.
-  let surf = maths_smooth(BREAKER_SURF_RISE * coast_at(lip.now).x);
-  out.torn = lip.found * surf * spray_front_share(lip.now + lip.to_front);
+  out.torn = lip.found * breaker_surf_share(lip.now) * spray_front_share(lip.now + lip.to_front);
   if out.torn <= SPRAY_LEAST_TORN {
     return out;
   }

@@ -17,6 +17,11 @@ const BREAKER_SURF_FORWARD = 0.75;
 // runs up, the factor is 0.
 const BREAKER_SURF_RISE = 2.5;
 
+// How far waves at a position near a coast are surf: 1 at sea, 0 where only a sheet of water runs up the beach.
+fn breaker_surf_share(at: vec2f) -> f32 {
+  return maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
+}
+
 // State of the foam at a position, from the maps of foam/foam.wgsl, with its derivatives along x and z, 1/m.
 struct BreakerState {
   // Excess over the breaking criterion (x), 0 where no crest breaks, and front of the foam (y).
@@ -173,7 +178,7 @@ fn breaker_motion(at: vec2f, height_m: f32, slope: vec2f, surf: BreakerMotion) -
   if WATER_COAST {
     // surf_motion makes waves lean that come ashore, and no others do. Where only a sheet of water runs up the beach,
     // nothing rolls. All of a roller swells forward alike: billows that did so one by one would fold the surface.
-    thickness = BREAKER_SURF_ROLLER * maths_smooth(BREAKER_SURF_RISE * coast_at(at).x);
+    thickness = BREAKER_SURF_ROLLER * breaker_surf_share(at);
     let swell = BREAKER_SURF_FORWARD * (thickness.x + thickness.y * BREAKER_MEAN_BILLOWS);
     forward_m = swell * square * height_m;
     forward_change = swell * (square * slope + height_m * square_change);
