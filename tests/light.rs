@@ -339,3 +339,39 @@ fn airglow_is_finite_beyond_the_zenith() {
         assert!((found[0] - expected).abs() < 1e-6, "{mu}: {} instead of {expected}", found[0]);
     }
 }
+
+/// The dome of clouds has a column for every direction: the texture coordinate of a column's heading is the column, the
+/// columns are as wide as they say, and narrowest ahead. The heading straight behind, where the columns meet, is finite.
+#[test]
+fn columns_of_the_dome_of_clouds_cover_all_headings() {
+    const ANSWER: &str = "
+        let heading = cloud_map_heading(a.x, a.yz);
+        let u = cloud_map_uv(3.0 * heading.xy, 0.3, vec2f(64.0, 64.0), a.yz).x;
+        return vec4f(heading, u);";
+    for ahead_deg in [0.0_f64, 90.0, 210.0] {
+        let ahead = [ahead_deg.to_radians().sin(), -ahead_deg.to_radians().cos()];
+        let columns = 2000;
+        let middle = |i: usize| (i as f64 + 0.5) / columns as f64;
+        let questions: Vec<_> =
+            (0..columns).map(|i| [[middle(i) as f32, ahead[0] as f32, ahead[1] as f32, 0.0], [0.0; 4]]).collect();
+        let answers = ask(&shaders(), "sky/cloud_dome", ANSWER, &questions);
+        // Angle clockwise from `ahead`.
+        let turn = |[x, z, ..]: [f64; 4]| (ahead[0] * z - ahead[1] * x).atan2(ahead[0] * x + ahead[1] * z);
+        for (i, answer) in answers.iter().enumerate() {
+            assert!((answer[3] - middle(i)).abs() < 1e-5, "{ahead_deg} {i}: {answer:?}");
+        }
+        for (i, pair) in answers.windows(2).enumerate() {
+            let width = turn(pair[1]) - turn(pair[0]);
+            let said = 0.5 * (pair[0][2] + pair[1][2]) / columns as f64;
+            assert!((width / said - 1.0).abs() < 2e-3, "{ahead_deg} {i}: {width} {said}");
+        }
+        let widths = answers.iter().map(|answer| answer[2]);
+        let narrowest = widths.clone().fold(f64::INFINITY, f64::min);
+        assert!((answers[columns / 2][2] / narrowest - 1.0).abs() < 1e-3);
+        assert!((widths.sum::<f64>() / columns as f64 / std::f64::consts::TAU - 1.0).abs() < 1e-3);
+    }
+    let behind = [[0.0, 0.0, -1.0, 0.0], [0.0, 0.6, 0.8, 0.0]];
+    let text = "let uv = cloud_map_uv(-b.yz, 0.3, vec2f(64.0, 64.0), b.yz); return vec4f(uv, 0.0, 0.0);";
+    let [u, ..] = ask(&shaders(), "sky/cloud_dome", text, &[behind])[0];
+    assert!(u.is_finite() && (u.abs() < 1e-3 || (u - 0.5).abs() > 0.499), "{u}");
+}

@@ -13,53 +13,11 @@
 @group(0) @binding(9) var cloud_shadow_map: texture_2d<f32>;
 @group(0) @binding(10) var dome_out: texture_storage_2d_array<rgba16float, write>;
 
-const DOME_MOST_STEPS = 160;
+const DOME_MOST_STEPS = 240;
 // Clouds beyond this distance are lost in the haze.
 const DOME_FAR_KM = 140.0;
 // Transmittance below which a ray ends.
 const DOME_LEAST_TRANSMITTANCE = 0.01;
-// Shares of single, less often and often scattered sunlight, with the factors on extinction and asymmetry for each
-// (Wrenninge et al. 2013). They are chosen so that a thick cloud reflects half of the sunlight.
-const DOME_OCTAVE_WEIGHT = vec3f(1.0, 1.0, 2.0);
-const DOME_OCTAVE_EXTINCTION = vec3f(1.0, 0.3, 0.1);
-const DOME_OCTAVE_ASYMMETRY = vec3f(1.0, 0.6, 0.2);
-// Share of the light that droplets diffract, and the asymmetry of its lobe: less than the half that theory gives,
-// because the narrowest part of it cannot be told from light that passes.
-const DOME_DIFFRACTION_SHARE = 0.3;
-const DOME_DIFFRACTION_ASYMMETRY = 0.955;
-// Diffuse light that falls on cloud of the optical depth x passes with the fraction 1 / (1 + DOME_DIFFUSE * x).
-const DOME_DIFFUSE = 0.1;
-// Share of the sunlight on the top of a cloud that diffuses down beyond the reach of the octaves.
-const DOME_SUN_IN_DEPTH = 0.22;
-// Share of the diffuse light that reaches the bottom of a crease between two heads.
-const DOME_CREASE = 0.35;
-
-// Phase function of droplets, 1/sr: forward and backward lobes. The three components are for the octaves. Light that is
-// scattered once has a narrower lobe besides, by diffraction: it gives thin edges before the sun their bright rims.
-fn dome_phase(c: f32) -> vec3f {
-  let g = DOME_OCTAVE_ASYMMETRY;
-  var out: vec3f;
-  for (var i = 0; i < 3; i++) {
-    out[i] = 0.72 * atm_henyey_greenstein(c, 0.82 * g[i]) + 0.28 * atm_henyey_greenstein(c, -0.25 * g[i]);
-  }
-  let diffracted = atm_henyey_greenstein(c, DOME_DIFFRACTION_ASYMMETRY);
-  out.x = mix(out.x, diffracted, DOME_DIFFRACTION_SHARE);
-  return out * DOME_OCTAVE_WEIGHT;
-}
-
-// Optical depth from p towards the sun: samples at growing distances, the first ones with the share `detail` of the
-// fine noise. `first_km` is the length of the first step.
-fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, detail: f32) -> f32 {
-  var depth = 0.0;
-  var step_km = first_km;
-  var at = p;
-  for (var i = 0; i < 6; i++) {
-    depth += step_km * cloud_density(at + (0.5 * step_km) * sun, select(0.0, detail, i < 3), 1.4 * step_km);
-    at += step_km * sun;
-    step_km *= 1.8;
-  }
-  return depth * cloud_field.extinction_per_km;
-}
 
 struct DomeLight {
   // Factors on the light of sun, sky and sea.
@@ -71,22 +29,7 @@ struct DomeLight {
   distance_km: f32,
 }
 
-// Factors on the light of sun, sky and sea, of cloud at the point p.
-fn dome_lit(p: vec3f, place: vec4f, inside: f32, detail: f32, sun: vec3f, phase: vec3f) -> vec3f {
-  let tau = dome_sun_depth(p, sun, 1.2 * cloud_field.step_km, detail);
-  let rise = max(p.y - cloud_field.base_km, 0.0);
-  let over_km = max(place.y, 0.0);
-  let above = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * over_km);
-  let below = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * rise);
-  // Light that has been scattered often is weaker at the very surface, from which it escapes.
-  let buried = 1.0 - 0.7 * exp(-0.35 * (tau + cloud_field.extinction_per_km * 0.1 * inside));
-  let shine = phase * exp(-tau * DOME_OCTAVE_EXTINCTION);
-  // Creases between heads, which the noise has cut into the cloud, see less of the light from all sides.
-  let open = DOME_CREASE + (1.0 - DOME_CREASE) * saturate(0.6 - 2.0 * place.x / cloud_field.shape_amplitude);
-  return vec3f(shine.x + open * (shine.y + shine.z * buried), 0.5 * above * open, 0.5 * below);
-}
-
-fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
+fn dome_march(dir: vec3f, near: f32, far: f32, texel_rad: f32) -> DomeLight {
   let ray = cloud_turned(dir);
   let sun = cloud_turned(sky.sun_direction);
   let phase = dome_phase(dot(dir, sky.sun_direction));
@@ -104,14 +47,14 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
       break;
     }
     let p = ray_point(dir, t);
-    let finest = max(cloud_field.step_km, 0.004 * t);
+    let finest = max(cloud_field.step_km, 0.0024 * t);
     let place = cloud_depth(p);
     let depth = place.x;
-    // Fine noise that is finer than the dome's texels fades to its mean.
-    let detail = 1.0 - smoothstep(0.3, 1.2, 0.0075 * t * cloud_field.details_per_km);
+    // Noise that is finer than the dome's texels or half a step fades to its mean.
+    let footprint_km = max(texel_rad * t, 0.5 * finest);
     var inside = depth;
     if depth > -0.5 * cloud_field.shape_amplitude {
-      inside = cloud_rough_depth(p, place, detail);
+      inside = cloud_rough_depth(p, place, footprint_km);
     } else {
       inside += 0.45 * cloud_field.shape_amplitude;
     }
@@ -131,7 +74,7 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
       let density = cloud_edge(middle * cloud_field.sharpness);
       if density > 0.002 {
         if inside > 0.0 {
-          lit = dome_lit(p - (0.5 * in_cloud) * ray, place, middle, detail, sun, phase);
+          lit = dome_lit(p - (0.5 * in_cloud) * ray, place, middle, footprint_km, sun, phase);
         }
         let passed = exp(-density * cloud_field.extinction_per_km * in_cloud);
         let share = out.transmittance * (1.0 - passed);
@@ -148,7 +91,7 @@ fn dome_march(dir: vec3f, near: f32, far: f32) -> DomeLight {
     way = finest * (1.0 + 4.0 * hidden * hidden);
     if inside <= 0.0 {
       // Nothing lies much nearer than the depth.
-      way = clamp(-inside * cloud_field.stride, 0.7 * finest, 12.0 * finest + 0.02 * t);
+      way = clamp(-inside * cloud_field.stride, 0.7 * finest, 20.0 * finest + 0.02 * t);
     }
     t += way;
   }
@@ -203,19 +146,20 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     return;
   }
   let above = max(cloud_map_elevation(f32(row) / f32(size.y - 1u)), 5e-4);
-  let azimuth = 2.0 * ATM_PI * (f32(id.x) + 0.5) / f32(size.x);
-  let dir = vec3f(sin(azimuth) * cos(above), sin(above), -cos(azimuth) * cos(above));
+  let heading = cloud_map_heading((f32(id.x) + 0.5) / f32(size.x), cloud_field.ahead);
+  let dir = vec3f(heading.x * cos(above), sin(above), heading.y * cos(above));
   let near = cloud_distance_to(cloud_field.base_km, dir.y);
   let far = min(cloud_distance_to(cloud_field.base_km + 1.0 / cloud_field.layers_per_km, dir.y), DOME_FAR_KM);
   var out = vec4f(0.0, 0.0, 0.0, 1.0);
   let is_ice = cloud_field.kind == CLOUD_CIRRUS;
   if near < far || is_ice {
+    let column = heading.z / f32(size.x);
+    let texel = vec2f(column, cloud_map_step(above) / f32(size.y));
     var seen: DomeLight;
     if is_ice {
-      let column = 2.0 * ATM_PI / f32(size.x);
-      seen = dome_cirrus(dir, vec2f(column, cloud_map_step(above) / f32(size.y)));
+      seen = dome_cirrus(dir, texel);
     } else {
-      seen = dome_march(dir, near, far);
+      seen = dome_march(dir, near, far, sqrt(texel.x * cos(above) * texel.y));
     }
     if seen.transmittance < 0.999 {
       let h = atm_altitude_along_ray(0.0, dir.y, seen.distance_km);

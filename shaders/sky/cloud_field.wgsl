@@ -3,6 +3,8 @@
 
 // Share of the noise's cuts that is left where a heap of cloud is thin.
 const CLOUD_THIN_CUT = 0.3;
+// Mip level of the fine noise from which on it is even.
+const CLOUD_FINE_LODS = 5.0;
 
 // How far a point lies inside the clouds before noise roughens them, km (x), negative outside; how far it lies below
 // their top, km (y); and the shift of the noise there, km (zw).
@@ -16,12 +18,15 @@ fn cloud_depth(p: vec3f) -> vec4f {
   return vec4f(room / slope, room / cloud_field.layers_per_km, map.ba / cloud_field.shapes_per_km);
 }
 
-// The depth with the noise. `place` is cloud_depth; `detail` is the share of the fine noise that is resolved, 0 to 1.
-fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
+// The depth with the noise, averaged over `footprint_km`. `place` is cloud_depth.
+fn cloud_rough_depth(at: vec3f, place: vec4f, footprint_km: f32) -> f32 {
   let depth = place.x;
   // Shifts hide that the noise repeats.
   let p = at + vec3f(place.z, 0.0, place.w);
-  let shape = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.shapes_per_km, 0.0).r;
+  let lods = log2(footprint_km * vec2f(cloud_field.shapes_per_km, cloud_field.details_per_km))
+    + log2(f32(textureDimensions(cloud_noise_map).x));
+  let noise = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.shapes_per_km, lods.x).rgb;
+  let shape = noise.r;
   // Few heads stand free of the cloud.
   let amplitude = cloud_field.shape_amplitude;
   let rise_km = p.y - cloud_field.base_km;
@@ -30,12 +35,14 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, detail: f32) -> f32 {
   let bump = max(shape - 0.5, 0.0) + whole * min(shape - 0.5, 0.0);
   var inside = depth + amplitude * saturate(0.85 + 5.0 * depth / amplitude) * bump;
   var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
-  if detail > 0.0 && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
-    let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, p * cloud_field.details_per_km, 0.0).g;
+  if lods.y < CLOUD_FINE_LODS && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
+    // The wide noise bends the fine one, which tears its round heads.
+    let bent = p * cloud_field.details_per_km + 0.7 * (noise.bgg - vec3f(0.5, 0.45, 0.45));
+    let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, bent, lods.y).g;
     // Heads above, wisps at the base.
     let heads = mix(0.9 - fine, fine, saturate(0.25 + 6.0 * rise_km * cloud_field.layers_per_km));
-    inside += detail * cloud_field.detail_amplitude * (heads - 0.45);
-    bump_km += 0.4 * detail * cloud_field.detail_amplitude * (fine - 0.45);
+    inside += cloud_field.detail_amplitude * (heads - 0.45);
+    bump_km += 0.4 * cloud_field.detail_amplitude * (fine - 0.45);
   }
   // The base is nearly flat. Tops of high heaps are crisp, low heaps and rims are thin.
   let deep = min(inside, (rise_km - bump_km) * (cloud_field.base_sharpness / cloud_field.sharpness));
@@ -50,14 +57,14 @@ fn cloud_edge(depth: f32) -> f32 {
   return x * x * (3.0 - 2.0 * x);
 }
 
-// Density at a point with the share `detail` of the fine noise, averaged over about `blur_km`.
-fn cloud_density(p: vec3f, detail: f32, blur_km: f32) -> f32 {
+// Density at a point, with noise that is averaged over `footprint_km`, averaged over about `blur_km` in all.
+fn cloud_density(p: vec3f, footprint_km: f32, blur_km: f32) -> f32 {
   let place = cloud_depth(p);
   let blur = 0.5 * blur_km;
   if place.x < -0.5 * cloud_field.shape_amplitude - blur {
     return 0.0;
   }
-  let inside = cloud_rough_depth(p, place, detail);
+  let inside = cloud_rough_depth(p, place, footprint_km);
   return cloud_edge((inside + blur) / (2.0 * blur + 1.0 / cloud_field.sharpness));
 }
 

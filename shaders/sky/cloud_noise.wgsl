@@ -51,8 +51,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let middle = noise_billows(at, 9);
   let narrow = noise_billows(at, 18);
   let smooth_noise = noise_smooth(at, 4) + 0.5 * noise_smooth(at, 9) + 0.25 * noise_smooth(at, 18);
-  let heads = 0.52 * wide + 0.31 * middle + 0.17 * narrow;
-  let fine = 0.5 * wide + 0.3 * middle + 0.2 * narrow;
+  let heads = 0.40 * wide + 0.33 * middle + 0.27 * narrow;
+  let fine = 0.42 * wide + 0.32 * middle + 0.26 * narrow;
   let shape = saturate(0.8 * heads + 0.42 * smooth_noise + 0.1);
   textureStore(noise_out, id, vec4f(shape, fine, saturate(0.5 + 0.6 * smooth_noise), 1.0));
 }

@@ -135,9 +135,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   var high = vec2f(-1.0, 0.0);
   if is_heaps {
     let steep = cloud_field.steepness;
+    // Only wide heaps become towers: narrow ones would be needles.
+    let slim = select(1.0, 0.45, cloud_field.kind == CLOUD_TOWERING);
     let wide = weather_heaps(at, 17, 0.35 * area, 0.85 * steep / 17.0, 1.0, 1u);
-    let middle = weather_heaps(at, 31, 0.3 * area, 1.1 * steep / 31.0, 1.0, 11u);
-    let narrow = weather_heaps(at, 61, 0.35 * area, 1.4 * steep / 61.0, 0.5, 21u);
+    let middle = weather_heaps(at, 31, 0.3 * area, 1.1 * slim * steep / 31.0, 1.0, 11u);
+    let narrow = weather_heaps(at, 61, 0.35 * area, 1.4 * slim * steep / 61.0, 0.5, 21u);
     high = weather_piled(weather_piled(wide, middle), narrow);
   } else if cloud_field.kind == CLOUD_STRATOCUMULUS {
     // Differences between neighbours give the steepness.

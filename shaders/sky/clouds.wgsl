@@ -11,7 +11,7 @@ override SKY_CLOUD_DOME = true;
 
 // Clouds of the dome in one of its layers. They have moved by `shift`, km, since it was filled; the height of the
 // clouds stands for all of their parts.
-fn sky_shifted_dome(dir: vec3f, above: f32, shift: vec2f, layer: u32) -> vec4f {
+fn sky_shifted_dome(dir: vec3f, above: f32, shift: vec2f, ahead: vec2f, layer: u32) -> vec4f {
   let s = sin(above);
   let r = ATM_EARTH_RADIUS_KM;
   let h = clouds.height_km;
@@ -20,17 +20,18 @@ fn sky_shifted_dome(dir: vec3f, above: f32, shift: vec2f, layer: u32) -> vec4f {
   let then = now - shift;
   let square = dot(then, then);
   let rise = t * s - (square - dot(now, now)) / (2.0 * r);
-  let uv = cloud_map_uv(then, atan2(rise, sqrt(square)), vec2f(textureDimensions(dome_map)));
+  let uv = cloud_map_uv(then, atan2(rise, sqrt(square)), vec2f(textureDimensions(dome_map)), ahead);
   return textureSampleLevel(dome_map, sky_sampler, uv, layer, 0.0);
 }
 
 // The light that the volumetric clouds add (rgb) and the fraction of the light behind them that they let through (a).
 fn sky_cloud_dome(dir: vec3f, above: f32) -> vec4f {
-  let newest = sky_shifted_dome(dir, above, clouds.new_shift_km, clouds.new_layer);
+  let newest = sky_shifted_dome(dir, above, clouds.new_shift_km, clouds.new_ahead, clouds.new_layer);
   if clouds.old_share <= 0.0 {
     return newest;
   }
-  return mix(newest, sky_shifted_dome(dir, above, clouds.old_shift_km, clouds.old_layer), clouds.old_share);
+  let old = sky_shifted_dome(dir, above, clouds.old_shift_km, clouds.old_ahead, clouds.old_layer);
+  return mix(newest, old, clouds.old_share);
 }
 
 // Fractal noise of the clouds, 0 to 1, at the point p of the cloud base, km. `lod` is the mip level of the noise map.

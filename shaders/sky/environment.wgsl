@@ -24,7 +24,7 @@ fn environment_cloudy_radiance(azimuth: f32, above: f32, pixel: f32) -> vec3f {
     let high = clamp(above + pixel * off.y, 0.0, 0.5 * ATM_PI);
     let dir = vec3f(sin(turn) * cos(high), sin(high), -cos(turn) * cos(high));
     let clear = mix(sky_clear_radiance(dir, high), sky_overcast_radiance(high), sky.overcast * sky.overcast);
-    let uv = cloud_map_uv(dir.xz, high, vec2f(textureDimensions(dome_map)));
+    let uv = cloud_map_uv(dir.xz, high, vec2f(textureDimensions(dome_map)), clouds.new_ahead);
     let dome = textureSampleLevel(dome_map, sky_sampler, uv, clouds.new_layer, 0.0);
     sum += clear * dome.a + dome.rgb;
   }
@@ -47,7 +47,7 @@ fn environment_sunlit() -> f32 {
   for (var i = 0; i < SIDE * SIDE; i++) {
     let off = ENVIRONMENT_SUN_RAD * ((2.0 * vec2f(f32(i % SIDE), f32(i / SIDE)) + 1.0) / f32(SIDE) - 1.0);
     let heading = vec2f(sun.x - off.x * sun.z, sun.z + off.x * sun.x);
-    let uv = cloud_map_uv(heading, max(above + off.y, 0.0), vec2f(textureDimensions(dome_map)));
+    let uv = cloud_map_uv(heading, max(above + off.y, 0.0), vec2f(textureDimensions(dome_map)), clouds.new_ahead);
     sum += textureSampleLevel(dome_map, sky_sampler, uv, clouds.new_layer, 0.0).a;
   }
   return sum / f32(SIDE * SIDE);

@@ -156,6 +156,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
     ("sky/multiple", &[AIR_TABLES, part!("sky/multiple.wgsl")]),
     ("sky/view", &[AIR_TABLES, part!("sky/view.wgsl")]),
     ("sky/cloud_noise", &[MATHS, NOISE, part!("sky/cloud_noise.wgsl")]),
+    ("sky/cloud_noise_mips", &[part!("sky/cloud_noise_mips.wgsl")]),
     ("sky/cloud_weather", &[MATHS, NOISE, ATMOSPHERE, CLOUD_KINDS, part!("sky/cloud_weather.wgsl")]),
     ("sky/cloud_shadow", &[AIR_TABLES, CLOUD_FIELD, part!("sky/cloud_shadow.wgsl")]),
     (
@@ -167,6 +168,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
             part!("sky/cloud_rays.wgsl"),
             part!("sky/squalls.wgsl"),
             part!("sky/dome_cirrus.wgsl"),
+            part!("sky/cloud_light.wgsl"),
             part!("sky/cloud_dome.wgsl"),
         ],
     ),

@@ -3,6 +3,7 @@
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::Scene;
 use crate::render::water::bed::normal_quantile;
+use crate::state::camera::View;
 use crate::state::look::CloudKind;
 
 /// Standard deviation of the smooth noise of the clouds, whose mean is 1/2.
@@ -10,6 +11,10 @@ const NOISE_DEVIATION: f64 = 0.16;
 /// Length of the longest path of sunlight through the layer of clouds, in thicknesses (its reciprocal is
 /// WGSL `SKY_LOWEST_BEAM`).
 const LONGEST_SHADOW: f64 = 12.0;
+
+/// Step, degrees, of the direction at which the columns of the dome are narrowest: a paused picture that is turned needs
+/// a new dome only after a step.
+const AHEAD_STEP_DEG: f64 = 30.0;
 
 gpu_struct! {
     /// WGSL `CloudField`: the clouds, for the passes that compute them. The field has its own axes, x along the wind.
@@ -51,6 +56,9 @@ gpu_struct! {
         pub downwind: [f32; 2],
         /// Position of the eye in the field, along and across the wind, km.
         pub eye_km: [f32; 2],
+        /// Horizontal unit vector (x, z) in the axes of the world at which the columns of the dome are narrowest: the
+        /// viewing direction to within half a step of [`AHEAD_STEP_DEG`].
+        pub ahead: [f32; 2],
         /// First row that the dome pass fills, and the distance to the next.
         pub first_row: u32,
         pub row_step: u32,
@@ -91,10 +99,10 @@ const CUMULUS: Kind = Kind {
     detail_km: 0.42,
     shape_amplitude_km: 0.6,
     detail_amplitude_km: 0.12,
-    soft_km: [0.03, 0.09],
+    soft_km: [0.019, 0.056],
     base_bump_km: 0.08,
     slope: 1.0,
-    step_km: 0.012,
+    step_km: 0.0072,
     stride: 0.6,
     speed: 1.0,
 };
@@ -107,7 +115,7 @@ const STRATOCUMULUS: Kind = Kind {
     detail_km: 0.4,
     shape_amplitude_km: 0.45,
     detail_amplitude_km: 0.13,
-    soft_km: [0.05, 0.1],
+    soft_km: [0.031, 0.063],
     base_bump_km: 0.1,
     stride: 0.7,
     ..CUMULUS
@@ -121,10 +129,10 @@ const TOWERING: Kind = Kind {
     detail_km: 0.7,
     shape_amplitude_km: 0.8,
     detail_amplitude_km: 0.16,
-    soft_km: [0.06, 0.12],
+    soft_km: [0.038, 0.075],
     base_bump_km: 0.12,
     slope: 2.3,
-    step_km: 0.02,
+    step_km: 0.012,
     stride: 0.6,
     speed: 1.3,
 };
@@ -140,7 +148,7 @@ const CIRRUS: Kind = Kind {
     soft_km: [1.6, 0.02],
     base_bump_km: 0.0,
     slope: 1.0,
-    step_km: 0.12,
+    step_km: 0.072,
     stride: 0.25,
     speed: 2.5,
 };
@@ -153,10 +161,10 @@ const STORM: Kind = Kind {
     detail_km: 0.6,
     shape_amplitude_km: 1.2,
     detail_amplitude_km: 0.3,
-    soft_km: [0.2, 0.3],
+    soft_km: [0.125, 0.19],
     base_bump_km: 0.35,
     slope: 1.0,
-    step_km: 0.025,
+    step_km: 0.015,
     stride: 0.6,
     speed: 1.1,
 };
@@ -178,6 +186,13 @@ impl Kind {
 /// lies, less half the width of a shaft's edge.
 fn squall_edge(share: f64) -> f64 {
     0.5 + NOISE_DEVIATION * -normal_quantile(share.clamp(1e-3, 1.0 - 1e-3)) - 0.05
+}
+
+/// [`CloudField::ahead`] for a view.
+fn ahead(view: &View) -> [f32; 2] {
+    let heading_deg = view.right.z.atan2(view.right.x).to_degrees();
+    let heading = ((heading_deg / AHEAD_STEP_DEG).round() * AHEAD_STEP_DEG).to_radians();
+    [heading.sin() as f32, -heading.cos() as f32]
 }
 
 /// The clouds of a scene.
@@ -217,6 +232,7 @@ impl Clouds {
             layer: 0,
             downwind: [x as f32, z as f32],
             eye_km: along(eye_km).map(|p| p.rem_euclid(kind.tile_km) as f32),
+            ahead: ahead(&scene.view),
             first_row: 0,
             row_step: 1,
             base_bump_km: kind.base_bump_km as f32,
@@ -225,9 +241,9 @@ impl Clouds {
         Some(Self { field, eye_km })
     }
 
-    /// The field without the position of the eye. The maps of weather and shadow depend on it, and on the sun.
+    /// The field without the view. The maps of weather and shadow depend on it, and on the sun.
     pub fn fixed(&self) -> CloudField {
-        CloudField { eye_km: [0.0; 2], ..self.field }
+        CloudField { eye_km: [0.0; 2], ahead: [0.0; 2], ..self.field }
     }
 
     /// How the shadows lie on the sea around the eye, when the unit vector `sun` points to the sun: two vectors whose

@@ -11,9 +11,9 @@ use wgpu::BindingResource::{Sampler, TextureView};
 
 /// Side of the maps of weather and shadow, texels.
 pub const MAP_SIDE: u32 = 256;
-/// Side of the 3D noise, texels, for domes with fewer columns than [`FINE_NOISE_COLUMNS`] and for others.
+/// Side of the 3D noise, texels, for domes with fewer rows than [`FINE_NOISE_ROWS`] and for others.
 const NOISE_SIDES: [u32; 2] = [64, 128];
-const FINE_NOISE_COLUMNS: u32 = 2048;
+const FINE_NOISE_ROWS: u32 = 512;
 const NOISE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// Tables of the sky that the passes of the clouds read.
@@ -35,6 +35,7 @@ pub struct CloudMaps<'a> {
 /// Passes that compute clouds; compiled for the first picture that has any.
 pub struct CloudPasses {
     pub noise: TablePass,
+    pub noise_mips: Vec<TablePass>,
     pub weather: TablePass,
     pub shadow: TablePass,
     pub shadow_mips: Vec<TablePass>,
@@ -56,18 +57,23 @@ fn repeating_sampler(gpu: &Gpu) -> wgpu::Sampler {
     })
 }
 
-/// Passes that compute the mip levels of the map of shadows.
-fn mip_passes(gpu: &Gpu, shaders: &Shaders, map: &wgpu::Texture) -> Vec<TablePass> {
-    let module = shaders.module(gpu, "sky/filter");
+/// Passes of the shader module `name` that compute the mip levels of a texture with two or three dimensions.
+fn mip_passes(gpu: &Gpu, shaders: &Shaders, name: &'static str, map: &wgpu::Texture) -> Vec<TablePass> {
+    let module = shaders.module(gpu, name);
     let mut passes: Vec<TablePass> = Vec::new();
     for level in 1..map.mip_level_count() {
         let [from, to] = [level - 1, level].map(|i| mip_view(map, i));
-        let image = BindingType::StorageTexture(map.format());
-        let bindings = [(BindingType::Texture, TextureView(&from)), (image, TextureView(&to))];
-        let groups = workgroups([map.width() >> level, map.height() >> level]);
+        let size = [map.width() >> level, map.height() >> level];
+        let (texture, image, groups) = if map.dimension() == wgpu::TextureDimension::D3 {
+            let image = BindingType::StorageTexture3d(map.format());
+            (BindingType::Texture3d, image, [size[0].div_ceil(4); 3])
+        } else {
+            (BindingType::Texture, BindingType::StorageTexture(map.format()), workgroups(size))
+        };
+        let bindings = [(texture, TextureView(&from)), (image, TextureView(&to))];
         passes.push(match passes.first() {
             Some(first) => first.with_resources(gpu, &bindings.map(|(_, resource)| resource), groups),
-            None => TablePass::new(gpu, "sky/filter", (&module, "main"), &bindings, groups),
+            None => TablePass::new(gpu, name, (&module, "main"), &bindings, groups),
         });
     }
     passes
@@ -84,8 +90,10 @@ impl CloudPasses {
     ) -> Self {
         let format = shaders.map_format(gpu).texture_format();
         let image = BindingType::StorageTexture(format);
-        let side = NOISE_SIDES[usize::from(dome_size[0] >= FINE_NOISE_COLUMNS)];
-        let noise = volume_texture(gpu, "sky/cloud noise", [side; 3], NOISE_FORMAT);
+        let side = NOISE_SIDES[usize::from(dome_size[1] >= FINE_NOISE_ROWS)];
+        let noise_texture = volume_texture(gpu, "sky/cloud noise", [side; 3], side.ilog2() + 1, NOISE_FORMAT);
+        let noise = noise_texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let finest_noise = mip_view(&noise_texture, 0);
         let weather = gpu.texture("sky/cloud weather", [MAP_SIDE, MAP_SIDE, 1], 1, format, TABLE_USAGE);
         let weather = weather.create_view(&wgpu::TextureViewDescriptor::default());
         let sampler = repeating_sampler(gpu);
@@ -124,12 +132,13 @@ impl CloudPasses {
             (BindingType::Texture, TextureView(&whole_shadow)),
             (BindingType::StorageTextureArray(format), TextureView(maps.dome)),
         ];
-        let noise_bindings = [(BindingType::StorageTexture3d(NOISE_FORMAT), TextureView(&noise))];
+        let noise_bindings = [(BindingType::StorageTexture3d(NOISE_FORMAT), TextureView(&finest_noise))];
         Self {
             noise: pass("sky/cloud_noise", &noise_bindings, [side / 4; 3]),
+            noise_mips: mip_passes(gpu, shaders, "sky/cloud_noise_mips", &noise_texture),
             weather: pass("sky/cloud_weather", &weather_bindings, workgroups([MAP_SIDE; 2])),
             shadow: pass("sky/cloud_shadow", &shadow_bindings, workgroups([MAP_SIDE; 2])),
-            shadow_mips: mip_passes(gpu, shaders, maps.shadow),
+            shadow_mips: mip_passes(gpu, shaders, "sky/filter", maps.shadow),
             dome: pass("sky/cloud_dome", &dome_bindings, workgroups(dome_size)),
             has_noise: false,
         }

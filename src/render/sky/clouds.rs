@@ -17,12 +17,14 @@ use crate::render::scene::Scene;
 use crate::shaders::Shaders;
 use wgpu::BindingResource::TextureView;
 
-/// Columns of the dome for each pixel of the picture's width, and the fewest and the most columns.
-const COLUMNS_PER_PIXEL: f64 = 2.4;
-const COLUMN_RANGE: [u32; 2] = [512, 4096];
-/// Most columns of the dome in the lean tier.
-const MOST_LEAN_COLUMNS: u32 = 2048;
-/// Rows that a frame of a running sea fills: at most 65,536 rays.
+/// Rows of the dome for each pixel of the picture's width, and the fewest and the most rows.
+const ROWS_PER_PIXEL: f64 = 0.6;
+const ROW_RANGE: [u32; 2] = [128, 1024];
+/// Most rows of the dome in the lean tier.
+const MOST_LEAN_ROWS: u32 = 512;
+/// Columns of the dome for each of its rows.
+const COLUMNS_PER_ROW: u32 = 3;
+/// Rows that a frame of a running sea fills: at most 49,152 rays.
 const ROWS_PER_FRAME: u32 = 16;
 /// Layers of the dome texture: the picture fades from one to another while the third is filled.
 const DOME_LAYERS: u32 = 3;
@@ -37,6 +39,9 @@ gpu_struct! {
         new_shift_km: [f32; 2],
         /// Distance (x, z), km, by which they have moved since the dome before the newest one was filled.
         old_shift_km: [f32; 2],
+        /// Horizontal unit vector (x, z) at which the columns of the newest dome are narrowest, and of the one before.
+        new_ahead: [f32; 2],
+        old_ahead: [f32; 2],
         /// Layer of the newest complete dome, and of the one before.
         new_layer: u32,
         old_layer: u32,
@@ -67,7 +72,7 @@ struct Dome {
 struct Surroundings {
     field: CloudField,
     sky: SkyUniform,
-    columns: u32,
+    rows: u32,
 }
 
 /// Volumetric clouds: their dome and their shadows.
@@ -83,7 +88,7 @@ pub struct CloudPass {
     pub layout: wgpu::BindGroupLayout,
     /// Bind group of the dome, for the pass that draws the sky.
     pub group: wgpu::BindGroup,
-    columns: u32,
+    rows: u32,
     /// Whether the passes were compiled with shafts of rain.
     has_squalls: bool,
     passes: Option<CloudPasses>,
@@ -125,7 +130,7 @@ impl CloudPass {
             group: gpu.bind_group("sky/cloud dome", &layout, &[TextureView(&dome)]),
             dome,
             layout,
-            columns: 0,
+            rows: 0,
             has_squalls: false,
             passes: None,
             maps_made_for: None,
@@ -135,30 +140,27 @@ impl CloudPass {
         }
     }
 
-    /// Number of columns of the dome for a picture `width` pixels wide.
-    fn wanted_columns(width: u32, is_lean: bool) -> u32 {
-        let wanted = (COLUMNS_PER_PIXEL * f64::from(width)) as u32;
-        let most = if is_lean { MOST_LEAN_COLUMNS } else { COLUMN_RANGE[1] };
-        wanted.next_power_of_two().clamp(COLUMN_RANGE[0], most)
-    }
-
-    fn rows(&self) -> u32 {
-        self.columns * 3 / 16
+    /// Number of rows of the dome for a picture `width` pixels wide.
+    fn wanted_rows(width: u32, is_lean: bool) -> u32 {
+        let wanted = (ROWS_PER_PIXEL * f64::from(width)) as u32;
+        let most = if is_lean { MOST_LEAN_ROWS } else { ROW_RANGE[1] };
+        wanted.next_power_of_two().clamp(ROW_RANGE[0], most)
     }
 
     /// Creates the dome for a picture of `scene` that is `width` pixels wide. Returns whether there is a new texture.
     pub fn prepare(&mut self, gpu: &Gpu, scene: &Scene, width: u32, tables: &SharedTables<'_>) -> bool {
-        let columns = Self::wanted_columns(width, scene.is_lean);
+        let rows = Self::wanted_rows(width, scene.is_lean);
         let has_squalls = scene.look.sky.drawn_squalls() > 0.0;
-        if Clouds::new(scene).is_none() || (columns, has_squalls) == (self.columns, self.has_squalls) {
+        if Clouds::new(scene).is_none() || (rows, has_squalls) == (self.rows, self.has_squalls) {
             return false;
         }
-        (self.columns, self.has_squalls) = (columns, has_squalls);
+        (self.rows, self.has_squalls) = (rows, has_squalls);
+        let columns = rows * COLUMNS_PER_ROW;
         let format = self.shaders.map_format(gpu).texture_format();
-        self.dome = array_view(&dome_texture(gpu, format, [columns, self.rows(), DOME_LAYERS]));
+        self.dome = array_view(&dome_texture(gpu, format, [columns, rows, DOME_LAYERS]));
         self.group = gpu.bind_group("sky/cloud dome", &self.layout, &[TextureView(&self.dome)]);
         let maps = CloudMaps { field: &self.field.buffer, shadow: &self.shadow_texture, dome: &self.dome };
-        self.passes = Some(CloudPasses::new(gpu, &self.shaders, tables, &maps, ([columns, self.rows()], has_squalls)));
+        self.passes = Some(CloudPasses::new(gpu, &self.shaders, tables, &maps, ([columns, rows], has_squalls)));
         (self.maps_made_for, self.dome_made_for, self.shown, self.filling) = (None, None, None, None);
         true
     }
@@ -180,6 +182,7 @@ impl CloudPass {
         self.field.write(gpu, &clouds.field);
         if !passes.has_noise {
             passes.noise.run(encoder, timer);
+            passes.noise_mips.iter().for_each(|pass| pass.run(encoder, timer));
             passes.has_noise = true;
         }
         passes.weather.run(encoder, timer);
@@ -201,17 +204,17 @@ impl CloudPass {
     ) -> bool {
         let Some(passes) = &self.passes else { return false };
         let field = CloudField { downwind: [0.0; 2], ..clouds.fixed() };
-        let wanted = Surroundings { field, sky: sky.for_clouds(), columns: self.columns };
+        let wanted = Surroundings { field, sky: sky.for_clouds(), rows: self.rows };
         let (is_other, is_running) = (self.dome_made_for != Some(wanted), scene.may_keep_pipelines);
         let mut is_complete = false;
         let near = self.shown.filter(|[new, _]| is_running && !is_other && is_near(&new.clouds, clouds));
         if let Some([new, old]) = near {
             let free = (0..DOME_LAYERS).find(|&layer| layer != new.layer && layer != old.layer).unwrap_or(0);
             let (dome, part) = self.filling.unwrap_or((Dome { layer: free, clouds: *clouds }, 0));
-            let parts = self.rows() / ROWS_PER_FRAME;
+            let parts = self.rows / ROWS_PER_FRAME;
             let field = CloudField { layer: dome.layer, first_row: part, row_step: parts, ..dome.clouds.field };
             self.field.write(gpu, &field);
-            passes.dome.run_workgroups(encoder, timer, workgroups([self.columns, ROWS_PER_FRAME]));
+            passes.dome.run_workgroups(encoder, timer, workgroups([self.rows * COLUMNS_PER_ROW, ROWS_PER_FRAME]));
             self.filling = Some((dome, part + 1));
             if part + 1 == parts {
                 (self.shown, self.filling) = (Some([dome, new]), None);
@@ -234,7 +237,7 @@ impl CloudPass {
     fn write_view(&self, gpu: &Gpu, clouds: &Clouds, sky: &SkyUniform) {
         let Some([new, old]) = self.shown else { return };
         let shift = |dome: &Dome| std::array::from_fn(|i| (dome.clouds.eye_km[i] - clouds.eye_km[i]) as f32);
-        let parts = self.rows() / ROWS_PER_FRAME;
+        let parts = self.rows / ROWS_PER_FRAME;
         let done = self.filling.map_or(0, |(_, part)| part) as f32 / parts as f32;
         let [shadow_along, shadow_across, shadow_offset] = clouds.shadow_axes(sky.sun_direction());
         let texels_per_m = 0.001 * clouds.field.tiles_per_km * MAP_SIDE as f32;
@@ -243,6 +246,8 @@ impl CloudPass {
             &CloudView {
                 new_shift_km: shift(&new),
                 old_shift_km: shift(&old),
+                new_ahead: new.clouds.field.ahead,
+                old_ahead: old.clouds.field.ahead,
                 new_layer: new.layer,
                 old_layer: old.layer,
                 old_share: if new.layer == old.layer { 0.0 } else { 1.0 - done },

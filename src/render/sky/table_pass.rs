@@ -13,19 +13,19 @@ pub fn volume_texture(
     gpu: &Gpu,
     label: &str,
     [width, height, depth_or_array_layers]: [u32; 3],
+    mip_level_count: u32,
     format: wgpu::TextureFormat,
-) -> wgpu::TextureView {
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width, height, depth_or_array_layers },
-        mip_level_count: 1,
+        mip_level_count,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D3,
         format,
         usage: TABLE_USAGE,
         view_formats: &[],
-    });
-    texture.create_view(&wgpu::TextureViewDescriptor::default())
+    })
 }
 
 /// Number of workgroups of 8 x 8 threads, along x, y and z, that cover a 2d table of `size` texels.

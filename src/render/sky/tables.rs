@@ -73,7 +73,8 @@ impl SkyTables {
             sky_view: whole(&texture("sky/view", SKY_VIEW_SIZE, 1)),
             environment: whole(&surroundings),
             environment_texture: surroundings.clone(),
-            mirrored: volume_texture(gpu, "sky/mirrored", MIRRORED_SIZE, format),
+            mirrored: volume_texture(gpu, "sky/mirrored", MIRRORED_SIZE, 1, format)
+                .create_view(&wgpu::TextureViewDescriptor::default()),
             sampler: gpu.sampler(
                 "sky",
                 [wgpu::AddressMode::Repeat, wgpu::AddressMode::ClampToEdge],

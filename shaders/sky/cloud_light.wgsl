@@ -1,0 +1,62 @@
+// Light of a point in the clouds, for the dome of clouds. Distances are in km. Needs the functions of cloud_field.wgsl.
+
+// Shares of single, less often and often scattered sunlight, with the factors on extinction and asymmetry for each
+// (Wrenninge et al. 2013). They are chosen so that a thick cloud reflects half of the sunlight.
+const DOME_OCTAVE_WEIGHT = vec3f(1.0, 1.1, 2.2);
+const DOME_OCTAVE_EXTINCTION = vec3f(1.0, 0.3, 0.1);
+const DOME_OCTAVE_ASYMMETRY = vec3f(1.0, 0.6, 0.2);
+// Factor on the optical depth towards the sun, for the look: with 1, clouds before the sun would glow all through, but
+// photographs show dark clouds with bright rims.
+const DOME_SUN_DEPTH = 1.7;
+// Share of the light that droplets diffract, as theory gives it, and the asymmetry of its lobe.
+const DOME_DIFFRACTION_SHARE = 0.5;
+const DOME_DIFFRACTION_ASYMMETRY = 0.955;
+// Diffuse light that falls on cloud of the optical depth x passes with the fraction 1 / (1 + DOME_DIFFUSE * x).
+const DOME_DIFFUSE = 0.14;
+// Share of the sunlight on the top of a cloud that diffuses down beyond the reach of the octaves.
+const DOME_SUN_IN_DEPTH = 0.22;
+// Share of the diffuse light that reaches the bottom of a crease between two heads.
+const DOME_CREASE = 0.35;
+
+// Phase function of droplets, 1/sr: forward and backward lobes. The three components are for the octaves. Light that is
+// scattered once has a narrower lobe besides, by diffraction: it gives thin edges before the sun their bright rims.
+fn dome_phase(c: f32) -> vec3f {
+  let g = DOME_OCTAVE_ASYMMETRY;
+  var out: vec3f;
+  for (var i = 0; i < 3; i++) {
+    out[i] = 0.72 * atm_henyey_greenstein(c, 0.82 * g[i]) + 0.28 * atm_henyey_greenstein(c, -0.25 * g[i]);
+  }
+  let diffracted = atm_henyey_greenstein(c, DOME_DIFFRACTION_ASYMMETRY);
+  out.x = mix(out.x, diffracted, DOME_DIFFRACTION_SHARE);
+  return out * DOME_OCTAVE_WEIGHT;
+}
+
+// Optical depth from p towards the sun: samples at growing distances, the first ones with noise that is averaged over
+// at least `footprint_km`. `first_km` is the length of the first step.
+fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, footprint_km: f32) -> f32 {
+  var depth = 0.0;
+  var step_km = first_km;
+  var at = p;
+  for (var i = 0; i < 6; i++) {
+    let noise_km = select(1.0, max(footprint_km, 0.5 * step_km), i < 3);
+    depth += step_km * cloud_density(at + (0.5 * step_km) * sun, noise_km, 1.4 * step_km);
+    at += step_km * sun;
+    step_km *= 1.8;
+  }
+  return depth * DOME_SUN_DEPTH * cloud_field.extinction_per_km;
+}
+
+// Factors on the light of sun, sky and sea, of cloud at the point p.
+fn dome_lit(p: vec3f, place: vec4f, inside: f32, footprint_km: f32, sun: vec3f, phase: vec3f) -> vec3f {
+  let tau = dome_sun_depth(p, sun, 2.0 * cloud_field.step_km, footprint_km);
+  let rise = max(p.y - cloud_field.base_km, 0.0);
+  let over_km = max(place.y, 0.0);
+  let above = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * over_km);
+  let below = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * rise);
+  // Light that has been scattered often is weaker at the very surface, from which it escapes.
+  let buried = 1.0 - 0.7 * exp(-0.35 * (tau + cloud_field.extinction_per_km * 0.1 * inside));
+  let shine = phase * exp(-tau * DOME_OCTAVE_EXTINCTION);
+  // Creases between heads, which the noise has cut into the cloud, see less of the light from all sides.
+  let open = DOME_CREASE + (1.0 - DOME_CREASE) * saturate(0.6 - 2.0 * place.x / cloud_field.shape_amplitude);
+  return vec3f(shine.x + open * (shine.y + shine.z * buried), 0.5 * above * open, 0.5 * below);
+}
