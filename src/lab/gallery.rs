@@ -62,9 +62,9 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Southern Ocean storm",
         description: "Beaufort 10 over 800 km of open water, a significant height of 16 m: crests break in the sun \
-                      under cirrus, and the wind tears spray off them.",
-        state: "v=2&wind=26&fetch=800&dir=270&seed=3&sun=20&sunaz=195&haze=0.25&clouds=cirrus&cloudcover=0.4&glints=1\
-                &gusts=1&spray=1&bloom=0.05&localexposure=0.5&y=6&heading=240&pitch=2&fov=24&t=82",
+                      between clouds, and the wind tears spray off them.",
+        state: "v=2&wind=26&fetch=800&dir=270&seed=3&sun=20&sunaz=195&haze=0.25&clouds=stratocumulus&cloudcover=0.6\
+                &glints=1&gusts=1&spray=1&bloom=0.05&localexposure=0.5&y=6&heading=240&pitch=2&fov=24&t=82",
     },
     GalleryPicture {
         title: "Spindrift",
@@ -86,7 +86,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
                       each other, and the crests between carry the light.",
         state: "v=2&wind=5.5&fetch=40&dir=225&scale2=1&dir2=205&hs2=1.6&tp2=9&swell2=0.7&sun=3&sunaz=200&haze=0.5\
                 &clouds=stratocumulus&cloudcover=0.65&glints=1&gusts=1&exposure=-0.2&bloom=0.06&localexposure=0.5\
-                &y=2.5&heading=206&pitch=3&fov=42&t=40&afloat=yacht*-17*93",
+                &y=2.5&heading=206&pitch=3&fov=42&t=105&afloat=yacht*-17*93",
     },
     GalleryPicture {
         title: "Under water",
@@ -107,7 +107,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
                       through.",
         state: "v=2&wind=6&fetch=20&dir=300&scale2=1&hs2=0.6&tp2=7&swell2=0.7&sun=7&sunaz=20&clouds=stratocumulus\
                 &cloudcover=0.8&rain=3&squalls=1&glints=1&gusts=1&bloom=0.05&localexposure=0.5&y=3&heading=28&pitch=4\
-                &fov=35&t=785&afloat=yacht*42*-100",
+                &fov=35&t=515&afloat=yacht*42*-100",
     },
     GalleryPicture {
         title: "Shallow tropical water",
@@ -126,7 +126,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Close to the ripples",
         description: "A light breeze seen from 1.2 m, with gravity and capillary waves (Elfouhaily's spectrum).",
         state: "v=2&spectrum=elfouhaily&wind=3&fetch=5&spread=elfouhaily&dispersion=capillary&sun=12&sunaz=52\
-                &haze=0.2&clouds=cirrus&glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=1.2&heading=62&pitch=-6&t=30",
+                &haze=0.2&clouds=cumulus&cloudcover=0.4&glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=1.2&heading=62\
+                &pitch=-6&t=30",
     },
     GalleryPicture {
         title: "From the air",
