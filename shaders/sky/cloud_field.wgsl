@@ -5,6 +5,8 @@
 const CLOUD_THIN_CUT = 0.3;
 // Mip level of the fine noise from which on it is even.
 const CLOUD_FINE_LODS = 5.0;
+// Width, km, over which the noise is nearly even: clouds without heads.
+const CLOUD_EVEN_KM = 1.0;
 
 // How far a point lies inside the clouds before noise roughens them, km (x), negative outside; how far it lies below
 // their top, km (y); and the shift of the noise there, km (zw).

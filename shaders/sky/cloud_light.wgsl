@@ -31,14 +31,14 @@ fn dome_phase(c: f32) -> vec3f {
   return out * DOME_OCTAVE_WEIGHT;
 }
 
-// Optical depth from p towards the sun: samples at growing distances, the first ones with noise that is averaged over
-// at least `footprint_km`. `first_km` is the length of the first step.
+// Optical depth from p towards the sun: samples at growing distances, the first three with noise that is averaged over
+// at least `footprint_km`, the others without heads. `first_km` is the length of the first step.
 fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, footprint_km: f32) -> f32 {
   var depth = 0.0;
   var step_km = first_km;
   var at = p;
   for (var i = 0; i < 6; i++) {
-    let noise_km = select(1.0, max(footprint_km, 0.5 * step_km), i < 3);
+    let noise_km = select(CLOUD_EVEN_KM, max(footprint_km, 0.5 * step_km), i < 3);
     depth += step_km * cloud_density(at + (0.5 * step_km) * sun, noise_km, 1.4 * step_km);
     at += step_km * sun;
     step_km *= 1.8;

@@ -35,7 +35,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   for (var i = 0.5; i < steps; i += 1.0) {
     let rise = i * step_km;
     let p = vec3f(at.x, cloud_field.base_km, at.y) + slope * rise;
-    depth += cloud_density(p, 1.0, step_km * length(slope));
+    depth += cloud_density(p, CLOUD_EVEN_KM, step_km * length(slope));
   }
   depth *= step_km * length(slope) * cloud_field.extinction_per_km;
   textureStore(shadow_out, id.xy, vec4f(exp(-depth), 0.0, 0.0, 1.0));
