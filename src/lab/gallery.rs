@@ -107,7 +107,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
                       through.",
         state: "v=2&wind=6&fetch=20&dir=300&scale2=1&hs2=0.6&tp2=7&swell2=0.7&sun=7&sunaz=20&clouds=stratocumulus\
                 &cloudcover=0.8&rain=3&squalls=1&glints=1&gusts=1&bloom=0.05&localexposure=0.5&y=3&heading=28&pitch=4\
-                &fov=35&t=515&afloat=yacht*42*-100",
+                &fov=35&t=785&afloat=yacht*42*-100",
     },
     GalleryPicture {
         title: "Shallow tropical water",
@@ -126,8 +126,7 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Close to the ripples",
         description: "A light breeze seen from 1.2 m, with gravity and capillary waves (Elfouhaily's spectrum).",
         state: "v=2&spectrum=elfouhaily&wind=3&fetch=5&spread=elfouhaily&dispersion=capillary&sun=12&sunaz=52\
-                &haze=0.2&clouds=cumulus&cloudcover=0.4&glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=1.2&heading=62\
-                &pitch=-6&t=30",
+                &haze=0.2&clouds=cirrus&glints=1&gusts=1&bloom=0.06&localexposure=0.5&y=1.2&heading=62&pitch=-6&t=30",
     },
     GalleryPicture {
         title: "From the air",
