@@ -159,7 +159,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if is_ice {
       seen = dome_cirrus(dir, texel);
     } else {
-      seen = dome_march(dir, near, far, sqrt(texel.x * cos(above) * texel.y));
+      seen = dome_march(dir, near, far, sqrt(texel.x * max(cos(above), 0.0) * texel.y));
     }
     if seen.transmittance < 0.999 {
       let h = atm_altitude_along_ray(0.0, dir.y, seen.distance_km);

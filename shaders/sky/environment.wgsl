@@ -13,8 +13,8 @@
 @group(0) @binding(8) var dome_map: texture_2d_array<f32>;
 @group(0) @binding(9) var environment_out: texture_storage_2d<rgba16float, write>;
 
-// Mean radiance of the sky with volumetric clouds over a texel, whose middle has this azimuth and elevation. The dome
-// has finer texels than the environment map.
+// Mean radiance of the sky with volumetric clouds over a texel, whose middle has this azimuth and elevation. Ahead, the
+// dome has finer texels than the environment map.
 fn environment_cloudy_radiance(azimuth: f32, above: f32, pixel: f32) -> vec3f {
   const SIDE = 4;
   var sum = vec3f(0.0);

@@ -191,7 +191,9 @@ fn squall_edge(share: f64) -> f64 {
 /// [`CloudField::ahead`] for a view.
 fn ahead(view: &View) -> [f32; 2] {
     let heading_deg = view.right.z.atan2(view.right.x).to_degrees();
-    let heading = ((heading_deg / AHEAD_STEP_DEG).round() * AHEAD_STEP_DEG).to_radians();
+    // Common headings, which are whole multiples of 15 degrees, lie off the edges of the steps.
+    let step = (heading_deg / AHEAD_STEP_DEG + 0.483).floor() * AHEAD_STEP_DEG;
+    let heading = step.rem_euclid(360.0).to_radians();
     [heading.sin() as f32, -heading.cos() as f32]
 }
 
