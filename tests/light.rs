@@ -368,10 +368,14 @@ fn columns_of_the_dome_of_clouds_cover_all_headings() {
         let widths = answers.iter().map(|answer| answer[2]);
         let narrowest = widths.clone().fold(f64::INFINITY, f64::min);
         assert!((answers[columns / 2][2] / narrowest - 1.0).abs() < 1e-3);
+        assert!((narrowest / (0.35 * std::f64::consts::TAU) - 1.0).abs() < 1e-3, "{narrowest}");
         assert!((widths.sum::<f64>() / columns as f64 / std::f64::consts::TAU - 1.0).abs() < 1e-3);
     }
-    let behind = [[0.0, 0.0, -1.0, 0.0], [0.0, 0.6, 0.8, 0.0]];
-    let text = "let uv = cloud_map_uv(-b.yz, 0.3, vec2f(64.0, 64.0), b.yz); return vec4f(uv, 0.0, 0.0);";
-    let [u, ..] = ask(&shaders(), "sky/cloud_dome", text, &[behind])[0];
+    let [behind, overhead] = [[0.0, -0.6, -0.8, 0.0], [0.0; 4]].map(|heading| [heading, [0.0, 0.6, 0.8, 0.0]]);
+    let text = "let uv = cloud_map_uv(a.yz, 0.3, vec2f(64.0, 64.0), b.yz); return vec4f(uv, 0.0, 0.0);";
+    let [[u, ..], [above, ..]] = ask(&shaders(), "sky/cloud_dome", text, &[behind, overhead])[..] else {
+        unreachable!("two questions, two answers")
+    };
+    assert!((0.0..=1.0).contains(&above), "straight up: {above}");
     assert!(u.is_finite() && (u.abs() < 1e-3 || (u - 0.5).abs() > 0.499), "{u}");
 }

@@ -268,6 +268,18 @@ fn clouds_depend_on_the_state_alone() {
     check(&draw(clear), &render(&gpu, &format!("{clear}&clouds=none&cloudcover=0.9")), "without clouds");
 }
 
+/// The picture of a running sea.
+fn frame(gpu: &Gpu, ocean: &mut Ocean, params: &Params) -> Vec<[u8; 4]> {
+    ocean.set_params(params);
+    let bytes = pollster::block_on(draw_ocean_picture(gpu, ocean, SIZE)).expect("a picture");
+    bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
+}
+
+/// Mean difference of two pictures in luminance.
+fn difference(a: &[[u8; 4]], b: &[[u8; 4]]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (luminance(*a) - luminance(*b)).abs()).sum::<f64>() / a.len() as f64
+}
+
 /// The clouds of a running sea are those of its time, although their dome is filled bit by bit, and nothing leaps.
 #[test]
 fn clouds_of_a_running_sea_follow_its_time() {
@@ -281,13 +293,8 @@ fn clouds_of_a_running_sea_follow_its_time() {
     let mut frames: Vec<Vec<[u8; 4]>> = Vec::new();
     let times_s: Vec<f64> = (0..40).map(|i| 30.0 + 0.1 * f64::from(i)).collect();
     for &t_s in &times_s {
-        ocean.set_params(&params(t_s));
-        let bytes = pollster::block_on(draw_ocean_picture(&gpu, &mut ocean, SIZE)).expect("a picture");
-        frames.push(bytes.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect());
+        frames.push(frame(&gpu, &mut ocean, &params(t_s)));
     }
-    let difference = |a: &[[u8; 4]], b: &[[u8; 4]]| {
-        a.iter().zip(b).map(|(a, b)| (luminance(*a) - luminance(*b)).abs()).sum::<f64>() / a.len() as f64
-    };
     let steps: Vec<f64> = frames.windows(2).map(|pair| difference(&pair[0], &pair[1])).collect();
     let still = render(&gpu, &state(times_s[39]));
     let (last, moved) = (difference(&frames[39], &still), difference(&frames[0], &still));
@@ -296,4 +303,24 @@ fn clouds_of_a_running_sea_follow_its_time() {
     assert!(last < 0.45 * moved, "{last} {moved}");
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
     assert!(steps.iter().all(|step| *step < 4.0 * mean), "{steps:.3?}");
+}
+
+/// When a running sea is turned round, the dome that is being filled is begun again for the new view, and the picture
+/// shows it alone after as many frames as it takes to fill two domes.
+#[test]
+fn a_turned_running_sea_has_a_fine_sky_again_soon() {
+    let gpu = gpu();
+    let params = |heading_deg: u32| {
+        let view = format!("heading={heading_deg}&pitch=35&clouds=cumulus&cloudcover=0.4");
+        query::parse(&format!("wind=15&n=64&t=30&sun=30&{view}&dither=0")).0
+    };
+    let mut ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &params(0));
+    ocean.set_may_keep_pipelines(true);
+    // A dome for these few pixels has eight parts.
+    (0..4).for_each(|_| drop(frame(&gpu, &mut ocean, &params(0))));
+    let still = frame(&gpu, &mut Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &params(180)), &params(180));
+    let left: Vec<f64> = (0..16).map(|_| difference(&frame(&gpu, &mut ocean, &params(180)), &still)).collect();
+    eprintln!("from the still {left:.3?}");
+    assert!(left[0] > 0.5, "{left:.3?}");
+    assert!(left[15] < 0.1 * left[0], "{left:.3?}");
 }

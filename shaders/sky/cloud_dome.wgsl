@@ -13,7 +13,7 @@
 @group(0) @binding(9) var cloud_shadow_map: texture_2d<f32>;
 @group(0) @binding(10) var dome_out: texture_storage_2d_array<rgba16float, write>;
 
-const DOME_MOST_STEPS = 240;
+const DOME_MOST_STEPS = 270;
 // Clouds beyond this distance are lost in the haze.
 const DOME_FAR_KM = 140.0;
 // Transmittance below which a ray ends.

@@ -3,10 +3,8 @@
 
 // Share of the noise's cuts that is left where a heap of cloud is thin.
 const CLOUD_THIN_CUT = 0.3;
-// Mip level of the fine noise from which on it is even.
-const CLOUD_FINE_LODS = 5.0;
-// Width, km, over which the noise is nearly even: clouds without heads.
-const CLOUD_EVEN_KM = 1.0;
+// Averaged over more than this share of its side, the fine noise is nearly even, and is not read.
+const CLOUD_FINE_SHARE = 0.25;
 
 // How far a point lies inside the clouds before noise roughens them, km (x), negative outside; how far it lies below
 // their top, km (y); and the shift of the noise there, km (zw).
@@ -37,7 +35,7 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, footprint_km: f32) -> f32 {
   let bump = max(shape - 0.5, 0.0) + whole * min(shape - 0.5, 0.0);
   var inside = depth + amplitude * saturate(0.85 + 5.0 * depth / amplitude) * bump;
   var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
-  if lods.y < CLOUD_FINE_LODS && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
+  if footprint_km * cloud_field.details_per_km < CLOUD_FINE_SHARE && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
     // The wide noise bends the fine one, which tears its round heads.
     let bent = p * cloud_field.details_per_km + 0.7 * (noise.bgg - vec3f(0.5, 0.45, 0.45));
     let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, bent, lods.y).g;

@@ -1,7 +1,8 @@
-// Light of a point in the clouds, for the dome of clouds. Distances are in km. Needs the functions of cloud_field.wgsl.
+// Light of a point in the clouds, for the dome of clouds. Distances are in km. Needs the functions of cloud_field.wgsl
+// and atm_henyey_greenstein.
 
 // Shares of single, less often and often scattered sunlight, with the factors on extinction and asymmetry for each
-// (Wrenninge et al. 2013). They are chosen so that a thick cloud reflects half of the sunlight.
+// (Wrenninge et al. 2013). The shares are chosen for the look.
 const DOME_OCTAVE_WEIGHT = vec3f(1.0, 1.1, 2.2);
 const DOME_OCTAVE_EXTINCTION = vec3f(1.0, 0.3, 0.1);
 const DOME_OCTAVE_ASYMMETRY = vec3f(1.0, 0.6, 0.2);
@@ -31,14 +32,14 @@ fn dome_phase(c: f32) -> vec3f {
   return out * DOME_OCTAVE_WEIGHT;
 }
 
-// Optical depth from p towards the sun: samples at growing distances, the first three with noise that is averaged over
-// at least `footprint_km`, the others without heads. `first_km` is the length of the first step.
+// Optical depth from p towards the sun: samples at growing distances, with noise that is averaged over half of their
+// steps, but over `footprint_km` at least. `first_km` is the length of the first step.
 fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, footprint_km: f32) -> f32 {
   var depth = 0.0;
   var step_km = first_km;
   var at = p;
   for (var i = 0; i < 6; i++) {
-    let noise_km = select(CLOUD_EVEN_KM, max(footprint_km, 0.5 * step_km), i < 3);
+    let noise_km = max(footprint_km, 0.5 * step_km);
     depth += step_km * cloud_density(at + (0.5 * step_km) * sun, noise_km, 1.4 * step_km);
     at += step_km * sun;
     step_km *= 1.8;

@@ -18,8 +18,8 @@ fn cloud_map_step(above: f32) -> f32 {
 // Width of the columns ahead, divided by the width of even columns. Those behind are wider by as much.
 const CLOUD_MAP_FOCUS = 0.35;
 
-// Horizontal part of the directions in the column at the coordinate `u` (xy), and the width of such columns, rad, for a
-// dome of one column (z). `ahead` is the horizontal unit vector at which the columns are narrowest.
+// Horizontal part of the directions at the coordinate `u` (xy), and the change of their heading with the coordinate, rad
+// (z). `ahead` is the horizontal unit vector at which the columns are narrowest.
 fn cloud_map_heading(u: f32, ahead: vec2f) -> vec3f {
   // The tangent of half the angle from `ahead` is CLOUD_MAP_FOCUS times that of `turn`.
   let turn = ATM_PI * (u - 0.5);
@@ -34,8 +34,10 @@ fn cloud_map_heading(u: f32, ahead: vec2f) -> vec3f {
 // Texture coordinates of a direction whose horizontal part is `heading`. `size` is that of the dome, texels.
 fn cloud_map_uv(heading: vec2f, above: f32, size: vec2f, ahead: vec2f) -> vec2f {
   let across = dot(heading, vec2f(-ahead.y, ahead.x));
-  let along = length(heading) + dot(heading, ahead);
-  // Straight behind, both are 0.
-  let turn = atan((across + 1e-20) / max(CLOUD_MAP_FOCUS * along, 1e-30));
+  let along = dot(heading, ahead);
+  let reach = length(heading);
+  // Two quotients for the tangent of half the angle: each is exact where the other divides a rounding error by another.
+  let half = select((reach - along) / (across + 1e-20), across / (reach + along), along > 0.0);
+  let turn = atan(half / CLOUD_MAP_FOCUS);
   return vec2f(turn / ATM_PI + 0.5, atm_table_coordinate(cloud_map_rise(above), size.y));
 }

@@ -20,9 +20,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let slope = vec3f(sun.x, steep, sun.z) / steep;
   let steps = clamp(floor(0.33 * SHADOW_STEPS * length(slope)), SHADOW_STEPS, SHADOW_MOST_STEPS);
   let step_km = 1.0 / (cloud_field.layers_per_km * steps);
+  // Width of a texel, over which the clouds are averaged.
+  let side_km = 1.0 / (cloud_field.tiles_per_km * f32(textureDimensions(shadow_out).x));
   if cloud_field.kind == CLOUD_CIRRUS {
-    // Widths of the texels, over which the sheets are averaged.
-    let side_km = 1.0 / (cloud_field.tiles_per_km * f32(textureDimensions(shadow_out).x));
     var thin = 0.0;
     for (var i = 0u; i < 2u; i++) {
       let place = at + slope.xz * (CIRRUS_RISES[i] / cloud_field.layers_per_km);
@@ -31,12 +31,14 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     textureStore(shadow_out, id.xy, vec4f(exp(-thin), 0.0, 0.0, 1.0));
     return;
   }
+  let way_km = step_km * length(slope);
+  let footprint_km = max(side_km, 0.5 * way_km);
   var depth = 0.0;
   for (var i = 0.5; i < steps; i += 1.0) {
     let rise = i * step_km;
     let p = vec3f(at.x, cloud_field.base_km, at.y) + slope * rise;
-    depth += cloud_density(p, CLOUD_EVEN_KM, step_km * length(slope));
+    depth += cloud_density(p, footprint_km, way_km);
   }
-  depth *= step_km * length(slope) * cloud_field.extinction_per_km;
+  depth *= way_km * cloud_field.extinction_per_km;
   textureStore(shadow_out, id.xy, vec4f(exp(-depth), 0.0, 0.0, 1.0));
 }

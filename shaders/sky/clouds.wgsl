@@ -9,8 +9,8 @@ const SKY_CLOUD_TILE_KM = 34.0;
 override SKY_CLOUDS = true;
 override SKY_CLOUD_DOME = true;
 
-// Clouds of the dome in one of its layers. They have moved by `shift`, km, since it was filled; the height of the
-// clouds stands for all of their parts.
+// Clouds of the dome in one of its layers, whose columns are narrowest at `ahead`. They have moved by `shift`, km, since
+// it was filled; the height of the clouds stands for all of their parts.
 fn sky_shifted_dome(dir: vec3f, above: f32, shift: vec2f, ahead: vec2f, layer: u32) -> vec4f {
   let s = sin(above);
   let r = ATM_EARTH_RADIUS_KM;

@@ -385,7 +385,7 @@ pub fn begin_compute<'a>(
     encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(label), timestamp_writes: timestamps })
 }
 
-/// View of mip level `mip_level` of a 2d texture, which becomes level 0 of the view.
+/// View of mip level `mip_level` of a texture, which becomes level 0 of the view.
 pub fn mip_view(texture: &wgpu::Texture, mip_level: u32) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor {
         base_mip_level: mip_level,

@@ -267,3 +267,32 @@ impl Clouds {
         self.field.base_km + 0.25 / self.field.layers_per_km
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::state::params::Camera;
+
+    fn ahead_of(heading_deg: f64) -> [f32; 2] {
+        ahead(&View::new(&Camera { heading_deg, ..Camera::default() }, 1.5, 0.0))
+    }
+
+    /// The dome's columns are narrowest within half a step of the heading, and common headings lie off the edges of the
+    /// steps, where rounding errors would choose between two domes.
+    #[test]
+    fn narrow_columns_lie_ahead() {
+        for i in 0..720 {
+            let heading_deg = 0.5 * f64::from(i);
+            let [x, z] = ahead_of(heading_deg).map(f64::from);
+            let off_deg = x.atan2(-z).to_degrees() - heading_deg;
+            assert!((off_deg + 180.0).rem_euclid(360.0) - 180.0 < 15.6, "{heading_deg}: {off_deg}");
+            assert!((off_deg + 180.0).rem_euclid(360.0) - 180.0 > -15.6, "{heading_deg}: {off_deg}");
+        }
+        for i in 0..24 {
+            let heading_deg = 15.0 * f64::from(i);
+            let near = [heading_deg - 1e-9, heading_deg, heading_deg + 1e-9].map(ahead_of);
+            assert_eq!(near, [near[1]; 3], "{heading_deg}");
+        }
+        assert_eq!(ahead_of(181.0), ahead_of(179.0));
+    }
+}

@@ -30,6 +30,8 @@ const ROWS_PER_FRAME: u32 = 16;
 const DOME_LAYERS: u32 = 3;
 /// Distance, km, by which the clouds may have moved since their dome was filled; after a longer leap it is filled anew.
 const LONGEST_SHIFT_KM: f64 = 1.0;
+/// Cosine of the turn of the view after which a dome that is being filled is begun again, with narrow columns ahead.
+const TURN_COS: f32 = 0.6;
 
 gpu_struct! {
     /// WGSL `Clouds`: how the picture reads the dome of clouds and their shadows.
@@ -99,6 +101,8 @@ pub struct CloudPass {
     shown: Option<[Dome; 2]>,
     /// The dome that is being filled, and the number of its parts that are done.
     filling: Option<(Dome, u32)>,
+    /// Number of frames since the newest dome was complete: the picture fades to it during as many as it has parts.
+    faded: u32,
 }
 
 fn dome_texture(gpu: &Gpu, format: wgpu::TextureFormat, [width, height, layers]: [u32; 3]) -> wgpu::Texture {
@@ -137,6 +141,7 @@ impl CloudPass {
             dome_made_for: None,
             shown: None,
             filling: None,
+            faded: 0,
         }
     }
 
@@ -210,14 +215,17 @@ impl CloudPass {
         let near = self.shown.filter(|[new, _]| is_running && !is_other && is_near(&new.clouds, clouds));
         if let Some([new, old]) = near {
             let free = (0..DOME_LAYERS).find(|&layer| layer != new.layer && layer != old.layer).unwrap_or(0);
-            let (dome, part) = self.filling.unwrap_or((Dome { layer: free, clouds: *clouds }, 0));
             let parts = self.rows / ROWS_PER_FRAME;
+            // A view that keeps turning does not begin the dome again for ever.
+            let may_begin_again = self.faded < parts;
+            let begun = self.filling.filter(|(dome, _)| !may_begin_again || !is_turned(&dome.clouds, clouds));
+            let (dome, part) = begun.unwrap_or((Dome { layer: free, clouds: *clouds }, 0));
             let field = CloudField { layer: dome.layer, first_row: part, row_step: parts, ..dome.clouds.field };
             self.field.write(gpu, &field);
             passes.dome.run_workgroups(encoder, timer, workgroups([self.rows * COLUMNS_PER_ROW, ROWS_PER_FRAME]));
-            self.filling = Some((dome, part + 1));
+            (self.filling, self.faded) = (Some((dome, part + 1)), (self.faded + 1).min(parts));
             if part + 1 == parts {
-                (self.shown, self.filling) = (Some([dome, new]), None);
+                (self.shown, self.filling, self.faded) = (Some([dome, new]), None, 0);
                 is_complete = true;
             }
         } else if is_other || self.shown.is_none_or(|[new, _]| new.clouds != *clouds) {
@@ -225,10 +233,12 @@ impl CloudPass {
             passes.dome.run(encoder, timer);
             let dome = Dome { layer: 0, clouds: *clouds };
             (self.shown, self.filling, self.dome_made_for) = (Some([dome, dome]), None, Some(wanted));
+            self.faded = 0;
             is_complete = true;
         } else {
             // The picture shows the newest dome alone.
             (self.shown, self.filling) = (self.shown.map(|[new, _]| [new, new]), None);
+            self.faded = 0;
         }
         self.write_view(gpu, clouds, sky);
         is_complete
@@ -238,7 +248,7 @@ impl CloudPass {
         let Some([new, old]) = self.shown else { return };
         let shift = |dome: &Dome| std::array::from_fn(|i| (dome.clouds.eye_km[i] - clouds.eye_km[i]) as f32);
         let parts = self.rows / ROWS_PER_FRAME;
-        let done = self.filling.map_or(0, |(_, part)| part) as f32 / parts as f32;
+        let done = self.faded as f32 / parts as f32;
         let [shadow_along, shadow_across, shadow_offset] = clouds.shadow_axes(sky.sun_direction());
         let texels_per_m = 0.001 * clouds.field.tiles_per_km * MAP_SIDE as f32;
         self.view.write(
@@ -268,6 +278,12 @@ impl CloudPass {
             (self.dome_made_for, self.filling) = (None, None);
         }
     }
+}
+
+/// Whether the view has turned so far since a dome was begun that its narrow columns do not lie ahead.
+fn is_turned(begun: &Clouds, wanted: &Clouds) -> bool {
+    let [[a, b], [c, d]] = [begun.field.ahead, wanted.field.ahead];
+    a * c + b * d < TURN_COS
 }
 
 /// Whether a dome of the clouds `made` can be moved to show `wanted`.

@@ -8,7 +8,7 @@ use crate::gpu::timer::Timer;
 pub const TABLE_USAGE: wgpu::TextureUsages =
     wgpu::TextureUsages::TEXTURE_BINDING.union(wgpu::TextureUsages::STORAGE_BINDING);
 
-/// A 3D table of `size` texels without mip levels.
+/// A 3D table of the given size, texels, with mip levels.
 pub fn volume_texture(
     gpu: &Gpu,
     label: &str,
