@@ -8,7 +8,7 @@ const LAND_NO_WATER_M = 5e8;
 
 // Standard deviation of the slopes of a film of water on sand, and its mean slope relative to that of the sand: a sheet
 // that drains is thickest at its foot.
-const LAND_FILM_ROUGHNESS = 0.025;
+const LAND_FILM_ROUGHNESS = 0.055;
 const LAND_FILM_TILT = 0.5;
 
 // Share of a film of water that ground of the slope `steep` keeps: all of it lies on sand, none on rock.

@@ -19,12 +19,15 @@ const CIRRUS_PER_RISE = 1.1;
 const CIRRUS_OCTAVES = 4;
 const CIRRUS_ALONG = vec4f(1.0, 3.0, 5.0, 16.0);
 const CIRRUS_ACROSS = vec4f(6.0, 17.0, 47.0, 113.0);
-const CIRRUS_OCTAVE_GAIN = vec4f(4.0, 2.5, 1.9, 2.0);
+const CIRRUS_OCTAVE_GAIN = vec4f(4.0, 2.4, 1.2, 1.0);
 // Turn of each octave against the first one: fibres that were all parallel would look combed.
 const CIRRUS_OCTAVE_TURN = vec4f(0.0, 0.09, -0.11, 0.17);
-// Ripples of cirrocumulus in the even places: sides of their noise, and gain.
-const CIRRUS_RIPPLES = vec2f(41.0, 53.0);
-const CIRRUS_RIPPLE_GAIN = 2.4;
+// Tufts break the fibres up, which would look combed without them: sides of their noise, and gain.
+const CIRRUS_TUFTS = vec2f(19.0, 23.0);
+const CIRRUS_TUFT_GAIN = 2.2;
+// Ripples of cirrocumulus: sides of their noise, and gain among fibres (x) and in even places (y).
+const CIRRUS_RIPPLES = vec2f(47.0, 61.0);
+const CIRRUS_RIPPLE_GAIN = vec2f(1.6, 2.4);
 // Fraction of the sides across by which the third coordinate moves on, so that fibres side by side differ: near the
 // golden section.
 const CIRRUS_SKEW = 0.382;
@@ -103,14 +106,17 @@ fn cirrus_depth(place: vec2f, sheet: u32, texel_km: mat2x2f) -> f32 {
   let fibrous = smoothstep(-0.2, 0.3, broad);
   var log_depth = 0.0;
   var variance = 0.0;
-  for (var i = 0; i <= CIRRUS_OCTAVES; i++) {
+  for (var i = 0; i < CIRRUS_OCTAVES + 2; i++) {
     var sides = CIRRUS_RIPPLES;
-    var gain = CIRRUS_RIPPLE_GAIN * (1.0 - smoothstep(0.05, 0.4, fibrous));
+    var gain = mix(CIRRUS_RIPPLE_GAIN.y, CIRRUS_RIPPLE_GAIN.x, smoothstep(0.05, 0.4, fibrous));
     var octave_turn = turn;
     if i < CIRRUS_OCTAVES {
       sides = vec2f(CIRRUS_ALONG[i], CIRRUS_ACROSS[i]);
       gain = CIRRUS_OCTAVE_GAIN[i] * mix(0.25, 1.0, fibrous);
       octave_turn += CIRRUS_OCTAVE_TURN[i];
+    } else if i == CIRRUS_OCTAVES {
+      sides = CIRRUS_TUFTS;
+      gain = CIRRUS_TUFT_GAIN;
     }
     // Fibres are bent: their width is measured across their own direction.
     let across_km = length(vec2f(octave_turn + bend.y, 1.0 + bend.z) * texel_km);
