@@ -316,11 +316,20 @@ fn a_turned_running_sea_has_a_fine_sky_again_soon() {
     };
     let mut ocean = Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &params(0));
     ocean.set_may_keep_pipelines(true);
-    // A dome for these few pixels has eight parts.
-    (0..4).for_each(|_| drop(frame(&gpu, &mut ocean, &params(0))));
+    // A dome for these few pixels has eight parts. The sea is turned while the picture fades from one to the next.
+    (0..12).for_each(|_| drop(frame(&gpu, &mut ocean, &params(0))));
     let still = frame(&gpu, &mut Ocean::new(&gpu, PICTURE_FORMAT, OutputKind::Screen, &params(180)), &params(180));
-    let left: Vec<f64> = (0..16).map(|_| difference(&frame(&gpu, &mut ocean, &params(180)), &still)).collect();
-    eprintln!("from the still {left:.3?}");
+    let frames: Vec<_> = (0..16).map(|_| frame(&gpu, &mut ocean, &params(180))).collect();
+    let left: Vec<f64> = frames.iter().map(|picture| difference(picture, &still)).collect();
+    let steps: Vec<f64> = frames.windows(2).map(|pair| difference(&pair[0], &pair[1])).collect();
+    eprintln!("from the still {left:.3?}, steps {steps:.3?}");
     assert!(left[0] > 0.5, "{left:.3?}");
     assert!(left[15] < 0.1 * left[0], "{left:.3?}");
+    // The picture fades to the fine sky in eight equal steps, and goes back to no older one.
+    assert!(steps.iter().all(|step| *step < 0.2 * left[0]), "{steps:.3?}");
+    // A view that is turned round again and again gets new domes, too.
+    let turns: Vec<_> = (0..32).map(|i| frame(&gpu, &mut ocean, &params(180 * (i / 4 % 2)))).collect();
+    let late = difference(&turns[24], &turns[0]) + difference(&turns[28], &turns[4]);
+    eprintln!("after turns {late:.3}");
+    assert!(late > 0.1, "{late}");
 }

@@ -14,8 +14,8 @@ const CIRRUS_DEPTHS = vec2f(0.3, 0.24);
 const CIRRUS_EDGE = 0.3;
 const CIRRUS_PER_RISE = 1.1;
 // Fibres: octaves of noise, by the number of the noise's sides along and across a tile. All numbers are whole, so that
-// the tile repeats without a seam. The logarithm of the optical depth is their sum: measured cirrus has such a
-// distribution, with many faint places and few dense ones.
+// the tile repeats without a seam. The logarithm of the optical depth is the sum of these, of tufts and of ripples:
+// measured cirrus has such a distribution, with many faint places and few dense ones.
 const CIRRUS_OCTAVES = 4;
 const CIRRUS_ALONG = vec4f(1.0, 3.0, 5.0, 16.0);
 const CIRRUS_ACROSS = vec4f(6.0, 17.0, 47.0, 113.0);
@@ -106,6 +106,7 @@ fn cirrus_depth(place: vec2f, sheet: u32, texel_km: mat2x2f) -> f32 {
   let fibrous = smoothstep(-0.2, 0.3, broad);
   var log_depth = 0.0;
   var variance = 0.0;
+  // The fibres, then the tufts and the ripples.
   for (var i = 0; i < CIRRUS_OCTAVES + 2; i++) {
     var sides = CIRRUS_RIPPLES;
     var gain = mix(CIRRUS_RIPPLE_GAIN.y, CIRRUS_RIPPLE_GAIN.x, smoothstep(0.05, 0.4, fibrous));

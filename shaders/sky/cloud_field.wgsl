@@ -35,7 +35,8 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, footprint_km: f32) -> f32 {
   let bump = max(shape - 0.5, 0.0) + whole * min(shape - 0.5, 0.0);
   var inside = depth + amplitude * saturate(0.85 + 5.0 * depth / amplitude) * bump;
   var bump_km = cloud_field.base_bump_km * (2.0 * shape - 0.3);
-  if footprint_km * cloud_field.details_per_km < CLOUD_FINE_SHARE && abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude {
+  let is_near_edge = abs(min(inside, rise_km - bump_km)) < 2.0 * cloud_field.detail_amplitude;
+  if is_near_edge && footprint_km * cloud_field.details_per_km < CLOUD_FINE_SHARE {
     // The wide noise bends the fine one, which tears its round heads.
     let bent = p * cloud_field.details_per_km + 0.7 * (noise.bgg - vec3f(0.5, 0.45, 0.45));
     let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, bent, lods.y).g;

@@ -36,7 +36,9 @@ fn cloud_map_uv(heading: vec2f, above: f32, size: vec2f, ahead: vec2f) -> vec2f 
   let across = dot(heading, vec2f(-ahead.y, ahead.x));
   let along = dot(heading, ahead);
   let reach = length(heading);
-  // Two quotients for the tangent of half the angle: each is exact where the other divides a rounding error by another.
+  // Two quotients for the tangent of half the angle from `ahead`: the first is accurate behind, the second ahead. There
+  // the other one's numerator or denominator is a difference of nearly equal numbers. The tiny summand keeps directions
+  // straight behind and straight up finite.
   let half = select((reach - along) / (across + 1e-20), across / (reach + along), along > 0.0);
   let turn = atan(half / CLOUD_MAP_FOCUS);
   return vec2f(turn / ATM_PI + 0.5, atm_table_coordinate(cloud_map_rise(above), size.y));

@@ -25,9 +25,9 @@ pub struct SharedTables<'a> {
     pub sampler: &'a wgpu::Sampler,
 }
 
-/// Uniform of the clouds, and the textures that their passes fill for the picture.
+/// Uniforms of the passes of the maps and of the dome, and the textures that they fill for the picture.
 pub struct CloudMaps<'a> {
-    pub field: &'a wgpu::Buffer,
+    pub fields: [&'a wgpu::Buffer; 2],
     pub shadow: &'a wgpu::Texture,
     pub dome: &'a wgpu::TextureView,
 }
@@ -99,7 +99,8 @@ impl CloudPasses {
         let sampler = repeating_sampler(gpu);
         let shadow = mip_view(maps.shadow, 0);
         let whole_shadow = maps.shadow.create_view(&wgpu::TextureViewDescriptor::default());
-        let field = (BindingType::Uniform(size_of::<CloudField>()), maps.field.as_entire_binding());
+        let [field, dome_field] =
+            maps.fields.map(|field| (BindingType::Uniform(size_of::<CloudField>()), field.as_entire_binding()));
         let sky = (BindingType::Uniform(size_of::<SkyUniform>()), tables.sky.as_entire_binding());
         let light = (BindingType::StorageRead(size_of::<LightBuffer>()), tables.light.as_entire_binding());
         let weather_map = (BindingType::Texture, TextureView(&weather));
@@ -111,16 +112,10 @@ impl CloudPasses {
             TablePass::with_constants(gpu, name, (&shaders.module(gpu, name), "main"), constants, bindings, groups)
         };
         let weather_bindings = [field.clone(), (image, TextureView(&weather))];
-        let shadow_bindings = [
-            field.clone(),
-            sky.clone(),
-            weather_map.clone(),
-            noise_map.clone(),
-            repeat.clone(),
-            (image, TextureView(&shadow)),
-        ];
+        let shadow_bindings =
+            [field, sky.clone(), weather_map.clone(), noise_map.clone(), repeat.clone(), (image, TextureView(&shadow))];
         let dome_bindings = [
-            field,
+            dome_field,
             sky,
             light,
             (BindingType::Texture, TextureView(tables.sky_view)),

@@ -30,8 +30,9 @@ const ROWS_PER_FRAME: u32 = 16;
 const DOME_LAYERS: u32 = 3;
 /// Distance, km, by which the clouds may have moved since their dome was filled; after a longer leap it is filled anew.
 const LONGEST_SHIFT_KM: f64 = 1.0;
-/// Cosine of the turn of the view after which a dome that is being filled is begun again, with narrow columns ahead.
-const TURN_COS: f32 = 0.6;
+/// Cosine of the angle between two directions of narrow columns from which on a dome that is being filled is begun again.
+/// It lies between the cosines of one and of two of their steps, 30° and 60°.
+const TURN_COS: f32 = 0.7;
 
 gpu_struct! {
     /// WGSL `Clouds`: how the picture reads the dome of clouds and their shadows.
@@ -81,7 +82,9 @@ struct Surroundings {
 pub struct CloudPass {
     shaders: Shaders,
     pub view: Uniform<CloudView>,
-    field: Uniform<CloudField>,
+    /// Uniforms of the passes that fill the maps of weather and shadow, and of the pass that fills the dome.
+    map_field: Uniform<CloudField>,
+    dome_field: Uniform<CloudField>,
     shadow_texture: wgpu::Texture,
     /// Map of the sunlight that passes between the clouds, with mip levels.
     pub shadow: wgpu::TextureView,
@@ -101,7 +104,8 @@ pub struct CloudPass {
     shown: Option<[Dome; 2]>,
     /// The dome that is being filled, and the number of its parts that are done.
     filling: Option<(Dome, u32)>,
-    /// Number of frames since the newest dome was complete: the picture fades to it during as many as it has parts.
+    /// Number of frames since the newest dome was complete, at most that of its parts. Their quotient is the newest
+    /// dome's share in the picture.
     faded: u32,
 }
 
@@ -128,7 +132,8 @@ impl CloudPass {
         Self {
             shaders: shaders.clone(),
             view: Uniform::new(gpu, "clouds"),
-            field: Uniform::new(gpu, "cloud field"),
+            map_field: Uniform::new(gpu, "cloud field of the maps"),
+            dome_field: Uniform::new(gpu, "cloud field of the dome"),
             shadow: shadow_texture.create_view(&wgpu::TextureViewDescriptor::default()),
             shadow_texture,
             group: gpu.bind_group("sky/cloud dome", &layout, &[TextureView(&dome)]),
@@ -164,9 +169,11 @@ impl CloudPass {
         let format = self.shaders.map_format(gpu).texture_format();
         self.dome = array_view(&dome_texture(gpu, format, [columns, rows, DOME_LAYERS]));
         self.group = gpu.bind_group("sky/cloud dome", &self.layout, &[TextureView(&self.dome)]);
-        let maps = CloudMaps { field: &self.field.buffer, shadow: &self.shadow_texture, dome: &self.dome };
+        let fields = [&self.map_field.buffer, &self.dome_field.buffer];
+        let maps = CloudMaps { fields, shadow: &self.shadow_texture, dome: &self.dome };
         self.passes = Some(CloudPasses::new(gpu, &self.shaders, tables, &maps, ([columns, rows], has_squalls)));
-        (self.maps_made_for, self.dome_made_for, self.shown, self.filling) = (None, None, None, None);
+        (self.maps_made_for, self.dome_made_for, self.shown) = (None, None, None);
+        (self.filling, self.faded) = (None, 0);
         true
     }
 
@@ -184,7 +191,7 @@ impl CloudPass {
         if self.maps_made_for == Some(wanted) {
             return false;
         }
-        self.field.write(gpu, &clouds.field);
+        self.map_field.write(gpu, &clouds.field);
         if !passes.has_noise {
             passes.noise.run(encoder, timer);
             passes.noise_mips.iter().for_each(|pass| pass.run(encoder, timer));
@@ -221,7 +228,7 @@ impl CloudPass {
             let begun = self.filling.filter(|(dome, _)| !may_begin_again || !is_turned(&dome.clouds, clouds));
             let (dome, part) = begun.unwrap_or((Dome { layer: free, clouds: *clouds }, 0));
             let field = CloudField { layer: dome.layer, first_row: part, row_step: parts, ..dome.clouds.field };
-            self.field.write(gpu, &field);
+            self.dome_field.write(gpu, &field);
             passes.dome.run_workgroups(encoder, timer, workgroups([self.rows * COLUMNS_PER_ROW, ROWS_PER_FRAME]));
             (self.filling, self.faded) = (Some((dome, part + 1)), (self.faded + 1).min(parts));
             if part + 1 == parts {
@@ -229,7 +236,7 @@ impl CloudPass {
                 is_complete = true;
             }
         } else if is_other || self.shown.is_none_or(|[new, _]| new.clouds != *clouds) {
-            self.field.write(gpu, &clouds.field);
+            self.dome_field.write(gpu, &clouds.field);
             passes.dome.run(encoder, timer);
             let dome = Dome { layer: 0, clouds: *clouds };
             (self.shown, self.filling, self.dome_made_for) = (Some([dome, dome]), None, Some(wanted));
@@ -275,7 +282,7 @@ impl CloudPass {
     pub fn clear(&mut self, gpu: &Gpu) {
         if self.shown.take().is_some() {
             self.view.write(gpu, &CloudView::default());
-            (self.dome_made_for, self.filling) = (None, None);
+            (self.dome_made_for, self.filling, self.faded) = (None, None, 0);
         }
     }
 }
