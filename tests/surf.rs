@@ -176,7 +176,8 @@ fn motions(gpu: &Gpu, shaders: &Shaders, transfer: &Arc<Transfer>, eye: [f64; 2]
     let places = (0..8000).map(|i| [place(i, 0), place(i, 1)]);
     // Nearer to the eye the squeeze changes with the distance from it, which slopes leave out.
     let places = places.filter(|[x, z]| x.hypot(*z) > 16.0);
-    let questions: Vec<_> = places.map(|[x, z]| [[x as f32, z as f32, 0.1, 0.0]]).collect();
+    // The step is short, m, because lobes meet in creases.
+    let questions: Vec<_> = places.map(|[x, z]| [[x as f32, z as f32, 0.005, 0.0]]).collect();
     kernel.ask(&questions)
 }
 
@@ -199,14 +200,18 @@ fn surf_moves_as_its_slopes_tell_and_small_waves_do_not() {
     let moving = surf.iter().filter(|m| m[0] != [0.0; 4]).count();
     let most = surf.iter().map(|m| m[0][0].hypot(m[0][2])).fold(0.0, f64::max);
     let own = error(&surf);
-    let wrong = shaders.clone().patched("water/displace", "forward_m, (change.x", "forward_m, (0.8 * change.x");
-    let fault = error(&motions(&gpu, &wrong, &transfer, [470.0, 150.0]));
+    let fault_of = |right: &str, wrong: &str| {
+        let wrong = shaders.clone().patched("water/displace", right, wrong);
+        error(&motions(&gpu, &wrong, &transfer, [470.0, 150.0]))
+    };
+    let fault = fault_of("forward_m, (change.x", "forward_m, (0.8 * change.x");
+    let without_lobes = fault_of("let turn = wave.turn + ahead.yz;", "let turn = wave.turn;");
     eprintln!(
-        "{moving} of {} points move, by up to {most:.1} m; derivatives {own:.3}, with a fault {fault:.3}",
+        "{moving} of {} points move, by up to {most:.1} m; derivatives {own:.3}, with faults {fault:.3} and {without_lobes:.3}",
         surf.len()
     );
     assert!(moving > surf.len() / 4 && most > 2.0 && most < 20.0, "{moving} {most}");
-    assert!(own < 0.1 && fault > 1.5 * own, "{own} {fault}");
+    assert!(own < 0.1 && fault.min(without_lobes) > 1.5 * own, "{own} {fault} {without_lobes}");
     // Seaward of the coast's square nothing moves by even one bit.
     let offshore = motions(&gpu, &shaders, &transfer, [-4000.0, 0.0]);
     assert!(offshore.iter().all(|m| m[0] == [0.0; 4] && m[3] == [0.0; 4]));

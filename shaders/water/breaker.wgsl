@@ -10,7 +10,7 @@ const BREAKER_HALF_EXCESS_SQUARE = 2.0;
 // Thickness of a roller in the open sea and at a coast, relative to the height of its crest above the mean: the first
 // number between billows, and both together on their tops.
 const BREAKER_ROLLER = vec2f(0.035, 0.15);
-const BREAKER_SURF_ROLLER = vec2f(0.19, 0.11);
+const BREAKER_SURF_ROLLER = vec2f(0.15, 0.22);
 // How far a roller at a coast also swells forward, relative to its thickness, because it lies on a steep front.
 const BREAKER_SURF_FORWARD = 0.75;
 // Reciprocal of the coast's factor on short waves from which waves are surf. On the beach, where only a sheet of water

@@ -20,6 +20,11 @@ const SURF_OVERHANG = 0.6;
 const SURF_UPRIGHT_PEAK = 0.6;
 // Phase before the crest, rad, of the middle of the steep front.
 const SURF_FRONT_PHASE = 0.75;
+// Lengths, m, of two sizes of lobes in which a front that falls over runs ahead and stays behind, and how far it does
+// so, relative to the wave's height, of which no more than the last number counts, m.
+const SURF_LOBES_M = vec2f(7.0, 2.3);
+const SURF_LOBES_AHEAD = vec2f(2.1, 0.57);
+const SURF_LOBES_MOST_HEIGHT_M = 1.5;
 // Share of the squeeze at the eye, and distances from it, m, over which the squeeze grows to all of it: the mesh is finest
 // around the water below the eye, which must not lie far from where the waves have moved it from.
 const SURF_AT_EYE = 0.45;
@@ -112,6 +117,21 @@ fn surf_wave(map: FrameCascade, at: vec2f) -> SurfWave {
   return SurfWave(here, turn, vec2f(along_x.y, along_z.y), depth_m, wave_number, known);
 }
 
+// How far the front of a wave runs ahead at an undisplaced position relative to the point below the eye, m (x), and the
+// derivatives of that along x and z (yz), for which the height and `over` count as even. White water that falls over is
+// ragged: without lobes, the front would be as straight as the crest of a long swell. Lobes are fixed to the world, so
+// that the edge churns while it runs over them.
+fn surf_lobes(at: vec2f, height_m: f32, over: f32) -> vec3f {
+  let torn = maths_rise(over, SURF_FALLING);
+  if torn <= 0.0 {
+    return vec3f(0.0);
+  }
+  let ahead_m = (torn * min(height_m, SURF_LOBES_MOST_HEIGHT_M)) * SURF_LOBES_AHEAD;
+  let spacing = mesh_spacing(length(at));
+  return breaker_shown_billows(at, SURF_LOBES_M.x, spacing, vec3f(ahead_m.x, 0.0, 0.0))
+    + breaker_shown_billows(at, SURF_LOBES_M.y, spacing, vec3f(ahead_m.y, 0.0, 0.0));
+}
+
 // Motion of the water at an undisplaced position relative to the point below the eye, m, where waves come ashore.
 fn surf_motion(at: vec2f) -> BreakerMotion {
   var out: BreakerMotion;
@@ -132,16 +152,19 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
     if ursell < SURF_LEAST_URSELL {
       continue;
     }
-    var form = surf_form(ursell, gain * wave.here.z, height_m * wave_number);
+    let over = gain * wave.here.z;
+    var form = surf_form(ursell, over, height_m * wave_number);
     form = mix(vec2f(0.0, 1.0), form, wave.known);
     form.x *= mix(SURF_AT_EYE, 1.0, maths_rise(length(at), SURF_BESIDE_EYE_M));
-    let phase = maths_phase(wave.here.xy);
+    let ahead = (wave.known * wave_number) * surf_lobes(at, height_m, over);
+    let phase = maths_phase(wave.here.xy) + ahead.x;
+    let turn = wave.turn + ahead.yz;
     let shape = surf_shape(phase, form);
     let change = (1.0 / SURF_PHASE_STEP) * (surf_shape(phase + SURF_PHASE_STEP, form) - shape);
     let forward_m = shape.x / wave_number;
-    out = breaker_pushed(out, onshore, forward_m, (change.x / wave_number) * wave.turn);
+    out = breaker_pushed(out, onshore, forward_m, (change.x / wave_number) * turn);
     out.moved.y += height_m * shape.y;
-    out.derivatives.slope += height_m * (change.y * wave.turn + shape.y * wave.growth);
+    out.derivatives.slope += height_m * (change.y * turn + shape.y * wave.growth);
   }
   return out;
 }
