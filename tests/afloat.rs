@@ -128,3 +128,29 @@ fn a_yacht_shades_the_glitter() {
     let shaded = mean(&pictures.render(&params(&format!("{state}&afloat=yacht*0*-45")), SIZE));
     assert!(shaded < 0.85 * empty, "{shaded}, without the yacht {empty}");
 }
+
+/// Stripes of paint are edges without a step in distance. They are smoothed as outlines are: the picture is nearer to the
+/// mean of 16 samples a pixel than one of these samples is.
+#[test]
+fn stripes_on_a_hull_are_smooth() {
+    const FINER: u32 = 4;
+    let mut pictures = Pictures::default();
+    let state = "wind=9&hs=0.01&n=64&y=2&dir=310&sun=40&sunaz=110&x=18&heading=270&fov=40&foam=0&afloat=yacht*0*0";
+    let linear = |p: [u8; 4]| [0, 1, 2].map(|c| (f64::from(p[c]) / 255.0).powf(2.2));
+    let picture = pictures.render(&params(state), SIZE);
+    let fine = pictures.render(&params(state), SIZE.map(|n| FINER * n));
+    let mut squares = [0.0; 2];
+    // The side of the hull, within its outline.
+    for (x, y) in (104..112).flat_map(|y| (90..230).map(move |x| (x, y))) {
+        let sample = |i: u32, j: u32| linear(fine[((FINER * y + j) * FINER * SIZE[0] + FINER * x + i) as usize]);
+        let samples = (0..FINER * FINER).map(|i| sample(i % FINER, i / FINER));
+        let sum = samples.fold([0.0; 3], |sum: [f64; 3], s| std::array::from_fn(|c| sum[c] + s[c]));
+        let shown = [linear(picture[(y * SIZE[0] + x) as usize]), sample(FINER / 2, FINER / 2)];
+        for (square, shown) in squares.iter_mut().zip(shown) {
+            *square += (0..3).map(|c| (shown[c] - sum[c] / f64::from(FINER * FINER)).powi(2)).sum::<f64>();
+        }
+    }
+    let [smoothed, sampled] = squares.map(f64::sqrt);
+    eprintln!("error of the picture {smoothed:.2}, of one sample {sampled:.2}");
+    assert!(smoothed < 0.85 * sampled, "{smoothed} {sampled}");
+}

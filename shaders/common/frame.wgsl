@@ -16,3 +16,13 @@ fn frame_hdr_output(c: vec3f, nearness: f32) -> vec4f {
   }
   return vec4f(clamp(c, vec3f(0.0), vec3f(6e4)), 1.0 + min(1e4 * nearness, 1.9e4));
 }
+
+// Share by which the nearness of frame_edged_nearness changes. Twice of it is more than the tone pass takes for an edge at
+// any distance, TONE_SURE_EDGE_RATIO.
+const FRAME_EDGED_SHARE = 0.15;
+
+// Nearness for frame_hdr_output, in a pixel of the picture, of something with edges of paint or between facets, which are
+// no steps in distance. It differs between neighbouring pixels, so that the tone pass looks for such edges.
+fn frame_edged_nearness(nearness: f32, pixel: vec2u) -> f32 {
+  return nearness * (1.0 + FRAME_EDGED_SHARE * f32((pixel.x ^ pixel.y) & 1u));
+}

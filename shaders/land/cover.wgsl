@@ -51,7 +51,7 @@ fn stone_fragment(in: StoneFragment) -> LandGBuffer {
   // Flat faces, slightly rounded towards their edges.
   let across = cross(dpdx(in.at), dpdy(in.at));
   let flat_normal = across * (-sign(dot(across, in.at)) * inverseSqrt(max(dot(across, across), 1e-30)));
-  let n = normalize(flat_normal + 0.3 * normalize(in.outward));
+  let n = normalize(flat_normal + 0.45 * normalize(in.outward));
   return cover_g_buffer(in.look, n, 0.0, in.shade);
 }
 
@@ -174,11 +174,13 @@ fn cover_stone(look: f32, place: vec2f, height: f32, run_up: f32, size: f32) -> 
   let face = land_noise(vec2f(place.x + 0.6 * place.y, 1.2 * height + 9.0 * tone), 6.1, size);
   let stone = mix(COVER_BLOCK_DARK, COVER_BLOCK_LIGHT, tone);
   let rock = mix(LAND_DARK_ROCK, LAND_ROCK, 0.25 + 0.75 * tone);
+  let grain = land_noise(vec2f(1.3 * height + 0.4 * place.x, place.y - 0.7 * place.x + 5.0 * tone), 1.7, size);
   var out: LandGround;
-  out.albedo = select(stone, rock, look >= 2.0) * max(1.0 + 0.22 * face.z + 0.16 * face.w, 0.35);
+  let stain = max(1.0 + 0.22 * face.z + 0.14 * face.w + 0.1 * grain.z, 0.3);
+  out.albedo = select(stone, rock, look >= 2.0) * stain;
   let washed = land_washed(out.albedo, height, run_up, 0.8 * face.z + 3.0 * tone - 1.5);
   out.albedo = washed.rgb;
-  out.relief = vec2f(0.22 * face.z, 0.22 * face.w);
+  out.relief = vec2f(0.26 * face.z + 0.28 * grain.z, 0.26 * face.w + 0.28 * grain.w);
   out.film = 0.3 * washed.w;
   return out;
 }

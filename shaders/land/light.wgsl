@@ -189,7 +189,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   }
   if film > 0.0 {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
-    let smooth_tilt = LAND_FILM_TILT * land_to_world(slope);
+    let smooth_tilt = land_film_slope(place, land_to_world(slope), size);
     let v = vec3f(-dir.x, max(-dir.y, 1e-3), -dir.z);
     // Steep stone keeps no film that is smooth enough to mirror sun or sky, and foam slides off it.
     let lies = saturate(1.8 * n.y - 0.5);
@@ -205,5 +205,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     radiance = mix(foam.beside * radiance, white, foam.opacity);
   }
   let air = air_to_point(dir, distance_m);
-  return frame_hdr_output(radiance * air[1] + air[0], 1.0 / distance_m);
+  let nearness = 1.0 / distance_m;
+  let edged = frame_edged_nearness(nearness, vec2u(pixel));
+  return frame_hdr_output(radiance * air[1] + air[0], select(nearness, edged, shown.y > 0.0));
 }

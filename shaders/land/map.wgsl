@@ -10,6 +10,10 @@ const LAND_NO_WATER_M = 5e8;
 // that drains is thickest at its foot.
 const LAND_FILM_ROUGHNESS = 0.055;
 const LAND_FILM_TILT = 0.5;
+// Slope of a film of water on sand where it wavers, for each deviation of a noise of a tile of some metres: it frays the
+// edges of what the film mirrors.
+const LAND_FILM_WAVER = 0.02;
+const LAND_FILM_WAVER_M = 9.7;
 
 // Share of a film of water that ground of the slope `steep` keeps: all of it lies on sand, none on rock.
 fn land_film_share(steep: f32) -> f32 {
@@ -74,6 +78,11 @@ fn land_noise(place: vec2f, tile_m: f32, size: f32) -> vec4f {
   let lod = max(log2(max(size, 1e-6) * (512.0 / tile_m)), 0.0);
   let texel = textureSampleLevel(noise_map, noise_sampler, place * (1.0 / tile_m), 1, lod);
   return (texel - 0.5) * vec4f(2.0, 3.2, 6.4, 6.4);
+}
+
+// Slope (x, z) of the film of water on sand with the slope `slope` (x, z), over texels of `size` metres.
+fn land_film_slope(place: vec2f, slope: vec2f, size: f32) -> vec2f {
+  return LAND_FILM_TILT * slope + LAND_FILM_WAVER * land_noise(place, LAND_FILM_WAVER_M, size).zw;
 }
 
 // Slopes of the beds of rock in the frame of the coast, and height of their bends, m for each deviation of their noise.

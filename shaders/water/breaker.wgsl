@@ -10,7 +10,7 @@ const BREAKER_HALF_EXCESS_SQUARE = 2.0;
 // Thickness of a roller in the open sea and at a coast, relative to the height of its crest above the mean: the first
 // number between billows, and both together on their tops.
 const BREAKER_ROLLER = vec2f(0.035, 0.15);
-const BREAKER_SURF_ROLLER = vec2f(0.15, 0.22);
+const BREAKER_SURF_ROLLER = vec2f(0.17, 0.14);
 // How far a roller at a coast also swells forward, relative to its thickness, because it lies on a steep front.
 const BREAKER_SURF_FORWARD = 0.75;
 // Reciprocal of the coast's factor on short waves from which waves are surf. On the beach, where only a sheet of water
@@ -66,7 +66,7 @@ const BREAKER_BENDS_Z = vec4f(0.28, 0.18, 0.67, -0.11);
 // How far rows bend, relative to their length.
 const BREAKER_BEND = 0.55;
 // Length of the longest billows: near a coast, m, and elsewhere relative to the significant wave height.
-const BREAKER_SURF_BILLOW_M = 1.3;
+const BREAKER_SURF_BILLOW_M = 0.9;
 const BREAKER_BILLOW_PER_HS = 0.22;
 // Spacings of the mesh, in lengths of billows, between which these fade, because coarser meshes cannot show them.
 const BREAKER_BILLOW_SPACINGS = vec2f(0.2, 0.54);

@@ -97,6 +97,7 @@ fn hull_doubled_cloth(cloth: vec2f, pixel: vec2f) -> f32 {
 fn fragment(in: HullFragment) -> @location(0) vec4f {
   let distance_m = length(in.position);
   let dir = in.position / distance_m;
+  let nearness = frame_edged_nearness(1.0 / distance_m, vec2u(in.clip.xy));
   let pixel = fwidth(in.cloth.xy);
   var paint = in.colour;
   if in.cloth.y > 0.0 {
@@ -108,7 +109,7 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let n = normalize(in.normal) * select(1.0, -1.0, through > 0.0 && dot(in.normal, dir) > 0.0);
   if HULL_DIVES {
     if hull_seen_from_below(in.position) {
-      return frame_hdr_output(hull_radiance_below(in, n, dir, distance_m), 1.0 / distance_m);
+      return frame_hdr_output(hull_radiance_below(in, n, dir, distance_m), nearness);
     }
   }
   let up = 0.5 + 0.5 * n.y;
@@ -138,7 +139,7 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let lacquer = select(0.5 * sheen * sky_there + glint / ATM_PI, vec3f(0.0), through > 0.0);
   let surface = paint.rgb * (diffuse + around) / ATM_PI + lacquer;
   let air = air_to_point(dir, distance_m);
-  return frame_hdr_output(surface * air[1] + air[0], 1.0 / distance_m);
+  return frame_hdr_output(surface * air[1] + air[0], nearness);
 }
 
 // Ropes and wires: quads at least as wide as a pixel, with the opacity of the fraction that the line covers.

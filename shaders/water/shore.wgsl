@@ -64,8 +64,12 @@ const SHORE_FRONT_LEVEL = 0.4;
 const SHORE_FRONT_SHARES = vec2f(0.4, 0.6);
 // Length of a pixel's footprint on a front, relative to its width: fronts face the eye or the sky.
 const SHORE_FRONT_LENGTH = 2.0;
-// Part of the relief that fronts near a coast lose.
-const SHORE_FRONT_SOFTNESS = 0.6;
+// How far the pattern of a front advances with the height of its surface, m a metre: a steep front would draw it out.
+const SHORE_FRONT_DROP = 1.6;
+// Part of what shines through a front that its thickness hides.
+const SHORE_FRONT_OPAQUE = 0.75;
+// Share of a pixel that a front covers, from which the edges of its billows are smoothed.
+const SHORE_EDGED_FRONT = 0.3;
 // Part of the water below the foam of the shore that bubbles fill, relative to the foam's cover.
 const SHORE_PLUME = 0.6;
 
@@ -83,13 +87,17 @@ fn bed_shore_ground(ground: BedGround, at: vec2f, column: f32, size: f32) -> Bed
   return BedGround(mix(ground.albedo, sand, share), ground.slope * (1.0 - share * share));
 }
 
-// Slopes of the water at a place with the ground of land_at below it, where its surface has the height `height`, m.
-fn shore_thin_slope(slope: WaterSlope, ground: vec4f, height: f32) -> WaterSlope {
+// Slopes of the water at a place with the ground of land_at below it, where its surface has the height `height`, m. `size`
+// is the width of the pixel's texels, m.
+fn shore_thin_slope(slope: WaterSlope, ground: vec4f, place: vec2f, height: f32, size: f32) -> WaterSlope {
   // Water that washes rock is no film.
   let sand = land_film_share(length(ground.yz));
   let share = sand * (1.0 - maths_smooth((height - ground.x) / SHORE_THIN_M));
+  if share <= 0.0 {
+    return slope;
+  }
   var out = slope;
-  out.mean = mix(slope.mean, LAND_FILM_TILT * land_to_world(ground.yz), share);
+  out.mean = mix(slope.mean, land_film_slope(place, land_to_world(ground.yz), size), share);
   out.variance = mix(slope.variance, vec3f(vec2f(LAND_FILM_ROUGHNESS * LAND_FILM_ROUGHNESS), 0.0), share);
   out.half_slope_difference *= 1.0 - share;
   return out;
@@ -142,14 +150,15 @@ fn shore_front_footprint(foot: WaterFootprint, position: vec3f, folded: f32) -> 
   return water_footprint(mix(foot.across, across, folded), mix(foot.axis, SHORE_FRONT_LENGTH * along, folded));
 }
 
-// The look of foam near a coast, of which the part `fresh` belongs to fronts. Fronts lose relief, because the mesh has
-// their billows (breaker.wgsl).
-fn shore_soft_relief(look: FoamAppearance, fresh: f32) -> FoamAppearance {
-  let left = 1.0 - SHORE_FRONT_SOFTNESS * fresh;
-  var out = look;
-  out.relief *= left;
-  out.lit = mix(1.0, look.lit, left);
-  return out;
+// Place from which a point of the water of the height `height`, m, takes the pattern of a front.
+fn shore_front_place(position: vec3f, height: f32) -> vec2f {
+  return position.xz - (SHORE_FRONT_DROP * height) * unpack2x16snorm(frame.breaker_direction);
+}
+
+// Nearness of a pixel (see frame_hdr_output) that a front covers to the share `front`. Billows hide each other where the
+// distance has no large step.
+fn shore_edged_nearness(nearness: f32, front: f32, pixel: vec2u) -> f32 {
+  return select(nearness, frame_edged_nearness(nearness, pixel), front > SHORE_EDGED_FRONT);
 }
 
 // Radiance of the sunlight that comes towards `v` through the front of a breaker with the slope `slope`: `fresh` is the

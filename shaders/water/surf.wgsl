@@ -23,7 +23,7 @@ const SURF_FRONT_PHASE = 0.75;
 // Lengths, m, of two sizes of lobes in which a front that falls over runs ahead and stays behind, and how far it does
 // so, relative to the wave's height, of which no more than the last number counts, m.
 const SURF_LOBES_M = vec2f(7.0, 2.3);
-const SURF_LOBES_AHEAD = vec2f(2.1, 0.57);
+const SURF_LOBES_AHEAD = vec2f(2.1, 0.25);
 const SURF_LOBES_MOST_HEIGHT_M = 1.5;
 // Share of the squeeze at the eye, and distances from it, m, over which the squeeze grows to all of it: the mesh is finest
 // around the water below the eye, which must not lie far from where the waves have moved it from.

@@ -88,7 +88,7 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     let size = WATER_TAP_TEXEL_RATIO * foot.length_m;
     ground = land_at(land_place(point.position.xz), land_lod(size));
     fall = slope.mean - land_to_world(ground.yz);
-    slope = shore_thin_slope(slope, ground, point.height);
+    slope = shore_thin_slope(slope, ground, land_place(point.position.xz), point.height, size);
   }
   if SKY_CLOUD_SHADOWS {
     cloud_sun_fraction = cloud_sun_transmittance(point.position.xz, foot.log_whole_texel_m);
@@ -178,14 +178,15 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
       // Surf squeezes the undisplaced surface to streaks, so a front has its pattern on the displaced one.
       let folded = shore_folded(slope.jacobian) * maths_rise(front, SHORE_FRONT_SHARES);
       if folded > 0.0 {
-        foam_at = mix(foam_at, point.position.xz, folded);
+        foam_at = mix(foam_at, shore_front_place(point.position, point.height), folded);
         foam_foot = shore_front_footprint(foot, point.position, folded);
         lit_slope.mean *= 1.0 - SHORE_FOLDED_SLOPE_LOSS * folded;
       }
     }
     var look = foam_appearance(foam_at, foam_foot, foam);
     if WATER_COAST {
-      look = shore_soft_relief(look, front);
+      // A front is thick.
+      look.cover = 1.0 - (1.0 - look.cover) * (1.0 - SHORE_FRONT_OPAQUE * front);
     }
     if look.cover > FOAM_MIN_AMOUNT {
       var white = foam_radiance(v, lit_slope, look);
@@ -202,6 +203,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   let colour = surface * air[1] + air[0];
   if WATER_POINT_SAMPLES {
     return vec4f(colour, water_sample_weight(v, slope, around));
+  }
+  if WATER_COAST {
+    return frame_hdr_output(colour, shore_edged_nearness(nearness, front * foam.cover, pixel));
   }
   return frame_hdr_output(colour, nearness);
 }
