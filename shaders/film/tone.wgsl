@@ -75,7 +75,7 @@ const TONE_SURE_EDGE_RATIO = 0.2;
 
 // Exposed light of the pixel around `uv`, with edges smoothed along their direction after FXAA by Timothy Lottes
 // (2009). Crests and the horizon need it, at one sample per pixel. Foam and glitter lie on one surface and are filtered
-// already: only where the distance has an edge are the diagonal neighbours looked at.
+// already: only where the distance has an edge, or frame_edged_nearness says so, are the diagonal neighbours looked at.
 fn tone_edges_smoothed(hdr: vec4f, at: vec2i, uv: vec2f, exposure: f32) -> vec3f {
   let exposed = hdr.rgb * exposure;
   // Each gather returns the distances of four neighbours: west, here, north, north-west, and south, south-east, east,

@@ -48,7 +48,7 @@ fn stone_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
 
 @fragment
 fn stone_fragment(in: StoneFragment) -> LandGBuffer {
-  // Flat faces, slightly rounded towards their edges.
+  // Flat faces, rounded towards their edges.
   let across = cross(dpdx(in.at), dpdy(in.at));
   let flat_normal = across * (-sign(dot(across, in.at)) * inverseSqrt(max(dot(across, across), 1e-30)));
   let n = normalize(flat_normal + 0.45 * normalize(in.outward));
@@ -171,6 +171,7 @@ const COVER_BLADE_THROUGH = 0.55;
 // The surface of a stone. `look` is that of LandGBuffer.
 fn cover_stone(look: f32, place: vec2f, height: f32, run_up: f32, size: f32) -> LandGround {
   let tone = fract(look);
+  // Noises over metres and over decimetres, of the place and the height, so that steep sides have them, too.
   let face = land_noise(vec2f(place.x + 0.6 * place.y, 1.2 * height + 9.0 * tone), 6.1, size);
   let stone = mix(COVER_BLOCK_DARK, COVER_BLOCK_LIGHT, tone);
   let rock = mix(LAND_DARK_ROCK, LAND_ROCK, 0.25 + 0.75 * tone);

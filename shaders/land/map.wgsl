@@ -10,8 +10,8 @@ const LAND_NO_WATER_M = 5e8;
 // that drains is thickest at its foot.
 const LAND_FILM_ROUGHNESS = 0.055;
 const LAND_FILM_TILT = 0.5;
-// Slope of a film of water on sand where it wavers, for each deviation of a noise of a tile of some metres: it frays the
-// edges of what the film mirrors.
+// Standard deviation of the slope by which a film of water wavers, and the side of the tile of its noise, m. This slope
+// frays the edges of what the film mirrors.
 const LAND_FILM_WAVER = 0.02;
 const LAND_FILM_WAVER_M = 9.7;
 
@@ -80,7 +80,8 @@ fn land_noise(place: vec2f, tile_m: f32, size: f32) -> vec4f {
   return (texel - 0.5) * vec4f(2.0, 3.2, 6.4, 6.4);
 }
 
-// Slope (x, z) of the film of water on sand with the slope `slope` (x, z), over texels of `size` metres.
+// Slope (x, z) of the film of water on ground with the slope `slope` (x, z), at a place in the frame of the coast, over
+// texels of `size` metres.
 fn land_film_slope(place: vec2f, slope: vec2f, size: f32) -> vec2f {
   return LAND_FILM_TILT * slope + LAND_FILM_WAVER * land_noise(place, LAND_FILM_WAVER_M, size).zw;
 }

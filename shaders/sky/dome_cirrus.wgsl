@@ -1,10 +1,12 @@
 // Cirrus (cirrus.wgsl) as seen from the sea, for the dome of clouds. Needs the structs of cloud_dome.wgsl.
 
 // Phase function of ice crystals, 1/sr. They diffract light by a degree or two, which makes the aureole around the sun,
-// bend it through their faces by some degrees and by some tens of degrees, and scatter the rest widely: four lobes. The
-// mean cosine of the angle is 0.73, as that of rough crystals (0.7 to 0.8).
-fn dome_ice_phase(c: f32) -> f32 {
-  return 0.4 * atm_henyey_greenstein(c, 0.985) + 0.25 * atm_henyey_greenstein(c, 0.88)
+// bend it through their faces by about ten degrees and by some tens of degrees, and scatter the rest widely: four lobes.
+// The mean cosine of the angle is 0.73, as that of rough crystals (0.7 to 0.8). The aureole is no narrower than a texel of
+// the size `texel`, rad.
+fn dome_ice_phase(c: f32, texel: vec2f) -> f32 {
+  let aureole = min(0.985, 1.0 - max(texel.x, texel.y));
+  return 0.4 * atm_henyey_greenstein(c, aureole) + 0.25 * atm_henyey_greenstein(c, 0.88)
     + 0.2 * atm_henyey_greenstein(c, 0.6) + 0.15 * atm_henyey_greenstein(c, -0.05);
 }
 
@@ -13,7 +15,7 @@ fn dome_ice_phase(c: f32) -> f32 {
 fn dome_cirrus(dir: vec3f, texel: vec2f) -> DomeLight {
   let ray = cloud_turned(dir);
   let heading = normalize(ray.xz + vec2f(1e-9, 0.0));
-  let phase = dome_ice_phase(dot(dir, sky.sun_direction));
+  let phase = dome_ice_phase(dot(dir, sky.sun_direction), texel);
   var out = DomeLight(0.0, 0.0, 0.0, 1.0, CIRRUS_FAR_KM.y);
   var seen = 1e-6;
   var distance_sum = 0.0;

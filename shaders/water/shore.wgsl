@@ -150,13 +150,14 @@ fn shore_front_footprint(foot: WaterFootprint, position: vec3f, folded: f32) -> 
   return water_footprint(mix(foot.across, across, folded), mix(foot.axis, SHORE_FRONT_LENGTH * along, folded));
 }
 
-// Place from which a point of the water of the height `height`, m, takes the pattern of a front.
+// Place from which a point of the water of the height `height`, m, takes the pattern of a front. Waves are taken to come
+// ashore before the wind, as for the roller (breaker.wgsl).
 fn shore_front_place(position: vec3f, height: f32) -> vec2f {
   return position.xz - (SHORE_FRONT_DROP * height) * unpack2x16snorm(frame.breaker_direction);
 }
 
-// Nearness of a pixel (see frame_hdr_output) that a front covers to the share `front`. Billows hide each other where the
-// distance has no large step.
+// Nearness for frame_hdr_output of a pixel whose share `front` a front covers. Billows hide each other without a large
+// step in the distance, so the tone pass is told to look for their edges.
 fn shore_edged_nearness(nearness: f32, front: f32, pixel: vec2u) -> f32 {
   return select(nearness, frame_edged_nearness(nearness, pixel), front > SHORE_EDGED_FRONT);
 }

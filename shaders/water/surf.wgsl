@@ -20,10 +20,11 @@ const SURF_OVERHANG = 0.6;
 const SURF_UPRIGHT_PEAK = 0.6;
 // Phase before the crest, rad, of the middle of the steep front.
 const SURF_FRONT_PHASE = 0.75;
-// Lengths, m, of two sizes of lobes in which a front that falls over runs ahead and stays behind, and how far it does
-// so, relative to the wave's height, of which no more than the last number counts, m.
-const SURF_LOBES_M = vec2f(7.0, 2.3);
-const SURF_LOBES_AHEAD = vec2f(2.1, 0.25);
+// Lengths, m, of two sizes of lobes in which a front that falls over runs ahead.
+const SURF_LOBES_M = vec2f(12.0, 2.6);
+// How far the tops of lobes lie before the creases between them, relative to the height of the wave; and the largest
+// height that counts, m: longer lobes would turn the phase of the wave around.
+const SURF_LOBES_AHEAD = vec2f(1.8, 0.22);
 const SURF_LOBES_MOST_HEIGHT_M = 1.5;
 // Share of the squeeze at the eye, and distances from it, m, over which the squeeze grows to all of it: the mesh is finest
 // around the water below the eye, which must not lie far from where the waves have moved it from.
@@ -117,13 +118,14 @@ fn surf_wave(map: FrameCascade, at: vec2f) -> SurfWave {
   return SurfWave(here, turn, vec2f(along_x.y, along_z.y), depth_m, wave_number, known);
 }
 
-// How far the front of a wave runs ahead at an undisplaced position relative to the point below the eye, m (x), and the
-// derivatives of that along x and z (yz), for which the height and `over` count as even. White water that falls over is
-// ragged: without lobes, the front would be as straight as the crest of a long swell. Lobes are fixed to the world, so
-// that the edge churns while it runs over them.
+// How far the front of a wave runs ahead of its mean at an undisplaced position relative to the point below the eye, m
+// (x), and the derivatives of that along x and z (yz), for which the height and `over` count as even. White water that
+// falls over is ragged: without lobes, the front would be as straight as the crest of a long swell. Lobes are fixed to the
+// world, so that the edge churns while it runs over them. Foam and spray have their sources at the mean.
 fn surf_lobes(at: vec2f, height_m: f32, over: f32) -> vec3f {
   let torn = maths_rise(over, SURF_FALLING);
-  if torn <= 0.0 {
+  // Lobes lie on the map of foam, as the billows of breakers do.
+  if torn <= 0.0 || frame.breaker_level_count == 0u {
     return vec3f(0.0);
   }
   let ahead_m = (torn * min(height_m, SURF_LOBES_MOST_HEIGHT_M)) * SURF_LOBES_AHEAD;
@@ -157,14 +159,18 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
     form = mix(vec2f(0.0, 1.0), form, wave.known);
     form.x *= mix(SURF_AT_EYE, 1.0, maths_rise(length(at), SURF_BESIDE_EYE_M));
     let ahead = (wave.known * wave_number) * surf_lobes(at, height_m, over);
-    let phase = maths_phase(wave.here.xy) + ahead.x;
-    let turn = wave.turn + ahead.yz;
+    // The map's sine wave stays where it is, so that a shifted shape also moves the sine.
+    let map_phase = maths_phase(wave.here.xy);
+    let phase = map_phase - ahead.x;
+    let turn = wave.turn - ahead.yz;
     let shape = surf_shape(phase, form);
     let change = (1.0 / SURF_PHASE_STEP) * (surf_shape(phase + SURF_PHASE_STEP, form) - shape);
     let forward_m = shape.x / wave_number;
+    let up = shape.y + 0.5 * (cos(phase) - cos(map_phase));
+    let up_change = (change.y - 0.5 * sin(phase)) * turn + 0.5 * sin(map_phase) * wave.turn;
     out = breaker_pushed(out, onshore, forward_m, (change.x / wave_number) * turn);
-    out.moved.y += height_m * shape.y;
-    out.derivatives.slope += height_m * (change.y * turn + shape.y * wave.growth);
+    out.moved.y += height_m * up;
+    out.derivatives.slope += height_m * (up_change + up * wave.growth);
   }
   return out;
 }

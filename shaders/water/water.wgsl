@@ -185,8 +185,8 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
     }
     var look = foam_appearance(foam_at, foam_foot, foam);
     if WATER_COAST {
-      // A front is thick.
-      look.cover = 1.0 - (1.0 - look.cover) * (1.0 - SHORE_FRONT_OPAQUE * front);
+      // A full front is thick, and hides the water that its pattern leaves open.
+      look.cover = 1.0 - (1.0 - look.cover) * (1.0 - SHORE_FRONT_OPAQUE * front * foam.cover);
     }
     if look.cover > FOAM_MIN_AMOUNT {
       var white = foam_radiance(v, lit_slope, look);

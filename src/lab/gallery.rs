@@ -76,8 +76,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     GalleryPicture {
         title: "Long swell",
         description: "A swell of four metres and fourteen seconds from a distant storm, under a light breeze.",
-        state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=6&sunaz=268&haze=0.15\
-                &clouds=cirrus&cloudcover=0.45&glints=1&gusts=1&exposure=-0.35&bloom=0.12&localexposure=0.3&y=4\
+        state: "v=2&spectrum=pm&wind=4&scale2=1&dir2=290&hs2=4&tp2=14&swell2=1&sun=4&sunaz=268&haze=0.15\
+                &clouds=cirrus&cloudcover=0.45&glints=1&gusts=1&exposure=-0.2&bloom=0.05&localexposure=0.3&y=4\
                 &heading=285&pitch=1&fov=30&t=52&afloat=yacht*-95*-18",
     },
     GalleryPicture {
@@ -105,9 +105,9 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Rain",
         description: "Showers from a broken deck: a low sun sends its rays between the clouds, and a yacht sails \
                       through.",
-        state: "v=2&wind=6&fetch=20&dir=300&scale2=1&hs2=0.6&tp2=7&swell2=0.7&sun=7&sunaz=20&clouds=stratocumulus\
+        state: "v=2&wind=6&fetch=20&dir=300&scale2=1&hs2=0.6&tp2=7&swell2=0.7&sun=5&sunaz=20&clouds=stratocumulus\
                 &cloudcover=0.8&rain=3&squalls=1&glints=1&gusts=1&bloom=0.05&localexposure=0.5&y=3&heading=28&pitch=4\
-                &fov=35&t=785&afloat=yacht*42*-100",
+                &fov=35&t=1000&afloat=yacht*42*-100",
     },
     GalleryPicture {
         title: "Shallow tropical water",
