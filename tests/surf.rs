@@ -159,13 +159,7 @@ fn answer(q: Question) -> Answer {
 const STATE: &str = "coast=beach&depth=12&wind=3&fetch=10&dir=255&scale2=1&hs2=1.5&tp2=12&dir2=245&n=256&order=1";
 
 /// Motions of points around `eye`: displacement, its differences along x and z, and its derivatives along x and z.
-fn motions(
-    gpu: &Gpu,
-    shaders: &Shaders,
-    transfer: &Arc<Transfer>,
-    eye: [f64; 2],
-    step_m: f32,
-) -> Vec<[[f64; 4]; 5]> {
+fn motions(gpu: &Gpu, shaders: &Shaders, transfer: &Arc<Transfer>, eye: [f64; 2], step_m: f32) -> Vec<[[f64; 4]; 5]> {
     let ocean = common::ocean_at_coast(gpu, STATE, transfer, eye, 40.0);
     let scene = ocean.scene([640, 360]);
     let maps = ocean.maps();
@@ -209,7 +203,7 @@ fn surf_moves_as_its_slopes_tell_and_small_waves_do_not() {
     let moving = surf.iter().filter(|m| m[0] != [0.0; 4]).count();
     let most = surf.iter().map(|m| m[0][0].hypot(m[0][2])).fold(0.0, f64::max);
     let own = error(&surf);
-    let wrong = even.clone().patched("water/displace", "forward_m, (change.x", "forward_m, (0.8 * change.x");
+    let wrong = even.patched("water/displace", "forward_m, (change.x", "forward_m, (0.8 * change.x");
     let fault = error(&beach(&wrong, 0.1));
     eprintln!(
         "{moving} of {} points move, by up to {most:.1} m; derivatives {own:.3}, with a fault {fault:.3}",
