@@ -118,7 +118,7 @@ fn spray_birth_at_stone(map: FrameCascade, place: vec2f, t: f32, random: vec4f) 
   let foot = place + gathered;
   let foot_place = land_place(foot);
   let ground = land_at(foot_place, 0.0);
-  let hard = max(land_built_share(ground), land_cliff_share(foot_place, 0.0));
+  let hard = max(land_built_share(ground), land_cliff_share(foot_place, ground.x, 0.0));
   out.torn = hard * maths_rise(abs(ground.x + depth_m), SPRAY_BURST_MISSED_M);
   if out.torn <= SPRAY_LEAST_TORN {
     return out;

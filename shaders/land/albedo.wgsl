@@ -48,18 +48,36 @@ fn land_rock_share(steep: f32) -> f32 {
   return maths_rise(steep, LAND_ROCK_SLOPES);
 }
 
-// Width of the ground, m, by whose mean slope the foot of a cliff is told from a beach, and the factor on that slope:
-// half of this ground is level bed.
-const LAND_CLIFF_FOOT_M = 24.0;
+// Width of the texels of the map, m, whose slope and height tell the foot of a cliff from a beach; the factor on that
+// slope, because half of this ground is level bed; and by how much, m, that height must exceed the one of the place, which
+// then is such a foot however gently it slopes itself. Built-in beaches stay below 1.8 m, also at the foot of dunes.
+const LAND_AROUND_M = 40.0;
 const LAND_CLIFF_FOOT_SLOPES = 2.0;
+const LAND_CLIFF_FOOT_HEIGHTS_M = vec2f(1.8, 3.0);
+// Heights above the still water, m, between which level ground below a cliff ceases to be bare rock.
+const LAND_FOOT_M = vec2f(2.0, 4.0);
 // Distance before stone, m, at which the waves that wash it are read: nearer, the map's texels average their run-up with
 // that of the land.
 const LAND_BEFORE_STONE_M = 12.0;
 
-// Share of rock at a place that may be the foot of a cliff, over texels of `size` metres.
-fn land_cliff_share(place: vec2f, size: f32) -> f32 {
-  let around = land_at(place, land_lod(max(LAND_CLIFF_FOOT_M, size)));
-  return land_rock_share(LAND_CLIFF_FOOT_SLOPES * length(around.yz));
+// Share of rock at a place near the water that has the height `height`, m. `around` is land_at over LAND_AROUND_M.
+fn land_foot_share(around: vec4f, height: f32) -> f32 {
+  // Beside a breakwater lies sand.
+  let natural = 1.0 - saturate(4.0 * abs(around.w));
+  let high = natural * maths_rise(around.x - height, LAND_CLIFF_FOOT_HEIGHTS_M);
+  return max(high, land_rock_share(LAND_CLIFF_FOOT_SLOPES * length(around.yz)));
+}
+
+// Share of land that is level and yet bare rock, because a cliff stands on it. The parameters are those of
+// land_foot_share.
+fn land_level_rock(around: vec4f, height: f32) -> f32 {
+  return (1.0 - maths_rise(height, LAND_FOOT_M)) * land_foot_share(around, height);
+}
+
+// Share of rock at a place that may be the foot of a cliff, where the ground has the height `height`, m, over texels of
+// `size` metres.
+fn land_cliff_share(place: vec2f, height: f32, size: f32) -> f32 {
+  return land_foot_share(land_at(place, land_lod(max(LAND_AROUND_M, 2.0 * size))), height);
 }
 
 // Share of blocks or concrete in the ground. `map` is that of land_at.
@@ -77,4 +95,21 @@ fn land_mean_albedo(place: vec2f, map: vec4f) -> vec3f {
   albedo = mix(albedo, green, max(saturate(0.54 * (height - LAND_GRASS_M)), back));
   albedo = mix(albedo, mix(LAND_DARK_ROCK, LAND_ROCK, 0.5), land_rock_share(length(map.yz)));
   return mix(albedo, select(LAND_CONCRETE, LAND_BLOCK, map.w < 0.0), land_built_share(map));
+}
+
+// Heights up to which waves splash stone, and up to which it is weedy, relative to that which they run up a beach.
+const LAND_SPLASH = 1.9;
+const LAND_WEED_ZONE = 0.7;
+// Heights above the still water, m, that the tide keeps wet (x) and weedy (y) also where there are no waves.
+const LAND_TIDE_M = vec2f(1.1, 0.6);
+// Fraction of its albedo that wet stone keeps.
+const LAND_WET_STONE = 0.52;
+
+// Stone of an albedo where the sea washes it: dark as high as the waves splash, and weedy as high as they cover it often.
+// The last component is the share of stone that is wet.
+fn land_washed(albedo: vec3f, height: f32, run_up: f32, bend: f32) -> vec4f {
+  let wet = land_wetness(height, bend, LAND_SPLASH * run_up + LAND_TIDE_M.x);
+  let weedy = land_wetness(height, 1.6 * bend, LAND_WEED_ZONE * run_up + LAND_TIDE_M.y);
+  let dark = mix(albedo, LAND_WET_STONE * albedo, wet);
+  return vec4f(mix(dark, LAND_WEED + 0.18 * albedo, 0.85 * weedy), wet);
 }

@@ -46,12 +46,16 @@ fn stone_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
   return StoneFragment(land_clip(at), at, turned, clamp(0.28 + 1.7 * above, 0.12, 1.0), stone.look);
 }
 
+// How round a block of a breakwater (x) and a rock (y) are: share of the direction from the middle in the normal of a face.
+// The sea wears fallen rocks.
+const COVER_ROUND = vec2f(0.45, 0.8);
+
 @fragment
 fn stone_fragment(in: StoneFragment) -> LandGBuffer {
   // Flat faces, rounded towards their edges.
   let across = cross(dpdx(in.at), dpdy(in.at));
   let flat_normal = across * (-sign(dot(across, in.at)) * inverseSqrt(max(dot(across, across), 1e-30)));
-  let n = normalize(flat_normal + 0.45 * normalize(in.outward));
+  let n = normalize(flat_normal + select(COVER_ROUND.x, COVER_ROUND.y, in.look >= 2.0) * normalize(in.outward));
   return cover_g_buffer(in.look, n, 0.0, in.shade);
 }
 
@@ -168,20 +172,31 @@ const COVER_BLADE_TIP = vec3f(0.400, 0.345, 0.205);
 // Share of the sunlight on the far side of a blade that passes through it.
 const COVER_BLADE_THROUGH = 0.55;
 
+// Side of the tile of the finest noise of stones, m, and the width of a pixel, m, from which it is not seen.
+const COVER_PITS_TILE_M = 0.57;
+const COVER_PITS_SEEN_M = 0.06;
+
 // The surface of a stone. `look` is that of LandGBuffer.
 fn cover_stone(look: f32, place: vec2f, height: f32, run_up: f32, size: f32) -> LandGround {
   let tone = fract(look);
-  // Noises over metres and over decimetres, of the place and the height, so that steep sides have them, too.
-  let face = land_noise(vec2f(place.x + 0.6 * place.y, 1.2 * height + 9.0 * tone), 6.1, size);
-  let stone = mix(COVER_BLOCK_DARK, COVER_BLOCK_LIGHT, tone);
-  let rock = mix(LAND_DARK_ROCK, LAND_ROCK, 0.25 + 0.75 * tone);
+  // Noises over metres, decimetres and centimetres, of the place and the height, so that steep sides have them, too.
+  let at = vec2f(place.x + 0.6 * place.y, 1.2 * height + 9.0 * tone);
+  let face = land_noise(at, 6.1, size);
   let grain = land_noise(vec2f(1.3 * height + 0.4 * place.x, place.y - 0.7 * place.x + 5.0 * tone), 1.7, size);
+  var pits = vec4f(0.0);
+  if size < COVER_PITS_SEEN_M {
+    pits = (1.0 - size / COVER_PITS_SEEN_M) * land_noise(at.yx + place, COVER_PITS_TILE_M, size);
+  }
+  let stone = mix(COVER_BLOCK_DARK, COVER_BLOCK_LIGHT, tone);
+  let rock = mix(LAND_DARK_ROCK, LAND_ROCK, 0.35 + 0.65 * tone);
   var out: LandGround;
-  let stain = max(1.0 + 0.22 * face.z + 0.14 * face.w + 0.1 * grain.z, 0.3);
+  let stain = max(1.0 + 0.2 * face.z + 0.16 * face.w + 0.2 * grain.z + 0.1 * pits.z, 0.3);
+  // Little light reaches cracks.
+  let cracks = saturate(vec2f(-0.8, -0.7) * vec2f(face.w, grain.w) - vec2f(0.5, 0.55));
   out.albedo = select(stone, rock, look >= 2.0) * stain;
   let washed = land_washed(out.albedo, height, run_up, 0.8 * face.z + 3.0 * tone - 1.5);
-  out.albedo = washed.rgb;
-  out.relief = vec2f(0.26 * face.z + 0.28 * grain.z, 0.26 * face.w + 0.28 * grain.w);
+  out.albedo = washed.rgb * ((1.0 - 0.6 * cracks.x) * (1.0 - 0.4 * cracks.y));
+  out.relief = vec2f(0.28, 0.26) * face.zw + vec2f(0.4, 0.36) * grain.zw + vec2f(0.16, 0.2) * pits.zw;
   out.film = 0.3 * washed.w;
   return out;
 }

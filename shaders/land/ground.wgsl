@@ -4,14 +4,6 @@
 const LAND_WIDE_M = 437.0;
 const LAND_REGION_M = 2230.0;
 
-// Heights up to which waves splash stone, and up to which it is weedy, relative to that which they run up a beach.
-const LAND_SPLASH = 1.9;
-const LAND_WEED_ZONE = 0.7;
-// Heights above the still water, m, that the tide keeps wet (x) and weedy (y) also where there are no waves.
-const LAND_TIDE_M = vec2f(1.1, 0.6);
-// Fraction of its albedo that wet stone keeps.
-const LAND_WET_STONE = 0.45;
-
 struct LandGround {
   albedo: vec3f,
   // Slope of the fine relief, to be added to that of the land, in the frame of the coast.
@@ -27,22 +19,33 @@ fn land_mix(a: LandGround, b: LandGround, share: f32) -> LandGround {
 
 // Share of a film of water in the look of sand that the last waves have left.
 const LAND_SHEEN = 0.3;
-
 // Side of the tile of the grain of sand, m, and the width of a pixel, m, from which it is not seen.
 const LAND_GRAIN_M = 0.83;
 const LAND_GRAIN_SEEN_M = 0.02;
 
-// Height above the mean edge of the film of water on sand, m, above which the film has no tongues where waves run up a
-// metre or more. Lower run-ups have lower tongues.
-const LAND_TONGUES_M = 0.8;
+// Height above one and a half run-ups, m, from which sand is dry: the edges of damp sand and of the film of water end
+// lower, with all of their lobes.
+const LAND_DRY_FROM_M = 0.4;
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
 fn land_sand(
   place: vec2f, height: f32, run_up: f32, middle: vec4f, fine: vec4f, wide: vec4f, size: f32,
 ) -> LandGround {
-  let wet = land_wetness(height, middle.z + 0.5 * fine.w, run_up + 0.04);
-  // The last waves have left it darker, up to a line of lobes.
-  let fresh = land_wetness(height, 0.9 * middle.w + 0.4 * middle.z, 0.72 * run_up + 0.02);
+  // Swash leaves lobes along the shore. No wave wets the sand above this height.
+  var wet = 0.0;
+  var fresh = 0.0;
+  var film = 0.0;
+  if height < 1.5 * run_up + LAND_DRY_FROM_M {
+    let tongues = swash_tongues(place, size);
+    wet = land_wetness(height, 0.5 * tongues.z + 0.12 * fine.w, run_up + 0.04);
+    // The last waves have left it darker, up to a line of lobes.
+    fresh = land_wetness(height, 0.6 * tongues.w + 0.1 * middle.z, 0.72 * run_up + 0.02);
+    // The film drains through the sand: its edge has tongues, which are smaller where the sea is calm.
+    let lively = 0.1 + 0.9 * min(run_up, 1.0);
+    let over = height - LAND_FILM_SHARE * run_up;
+    let lobes = lively * (0.05 * tongues.z + 0.03 * tongues.w + 0.008 * fine.z);
+    film = 1.0 - maths_smooth((over + lobes) * 4.5 / lively + 0.5);
+  }
   // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
   var out: LandGround;
@@ -55,25 +58,16 @@ fn land_sand(
   if above > -0.3 && above < 0.9 {
     out.albedo = mix(out.albedo, LAND_WRACK, land_wrack(above, middle, fine, size));
   }
-  out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.6 * wet + 0.4 * fresh);
   if wet > 0.0 {
+    out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.6 * wet + 0.4 * fresh);
     out.albedo *= 1.0 - 0.45 * wet * land_swash_marks(height, run_up, middle, fine, size);
   }
-  // Dry sand is trodden and blown; water smooths it, but leaves ripples in some places.
-  // Far away its pattern would show repeats.
-  let trodden = (0.008 + 0.05 * (1.0 - wet)) * saturate(0.7 + 0.4 * middle.w) * saturate(1.2 - 5.0 * size);
+  // Dry sand is trodden and blown; water smooths it, but leaves some ripples. Far away the pattern would repeat.
+  let trodden = (0.006 + 0.024 * (1.0 - wet)) * saturate(0.7 + 0.4 * middle.w) * saturate(1.2 - 5.0 * size);
   let left = saturate(0.6 * middle.w - 0.2 * middle.z - 0.25) * wet;
-  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + trodden * vec2f(0.8, -0.6) * fine.z;
-  // The film drains through the sand: its edge has tongues, which are smaller where the sea is calm.
-  let lively = 0.1 + 0.9 * min(run_up, 1.0);
-  let over = height - LAND_FILM_SHARE * run_up;
-  if over < LAND_TONGUES_M * lively {
-    let tongues = swash_tongues(place, size);
-    let lobes = lively * (0.12 * tongues.z + 0.05 * tongues.w + 0.03 * fine.z);
-    out.film = 1.0 - maths_smooth((over + lobes) * 2.2 / lively + 0.5);
-  }
+  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + (trodden * fine.z) * vec2f(0.8, -0.6);
   // Sand that is full of water shines a little.
-  out.film = max(out.film, LAND_SHEEN * fresh * fresh);
+  out.film = max(film, LAND_SHEEN * fresh * fresh);
   return out;
 }
 
@@ -119,21 +113,15 @@ fn land_plants(
   return out;
 }
 
-// Stone of an albedo where the sea washes it: dark as high as the waves splash, and weedy as high as they cover it often.
-// The last component is the share of stone that is wet.
-fn land_washed(albedo: vec3f, height: f32, run_up: f32, bend: f32) -> vec4f {
-  let wet = land_wetness(height, bend, LAND_SPLASH * run_up + LAND_TIDE_M.x);
-  let weedy = land_wetness(height, 1.6 * bend, LAND_WEED_ZONE * run_up + LAND_TIDE_M.y);
-  let dark = mix(albedo, LAND_WET_STONE * albedo, wet);
-  return vec4f(mix(dark, LAND_WEED + 0.18 * albedo, 0.85 * weedy), wet);
-}
-
 // Sides of the tiles of noise of beds and of blocks of rock, m, and how much beds stretch along their strike.
 const LAND_BEDS_M = 17.0;
 const LAND_FACE_M = 59.0;
 const LAND_BEDS_STRETCH = 0.05;
 // Heights of lumps and of blocks of rock, m for each deviation of their noise.
-const LAND_FACE_RELIEF_M = vec2f(0.17, 0.46);
+const LAND_FACE_RELIEF_M = vec2f(0.096, 0.06);
+// Slope that the sides of lumps and blocks do not exceed, and slopes of the finest detail for each deviation of its noise.
+const LAND_FACE_STEEPEST = 0.4;
+const LAND_DETAIL_SLOPES = vec2f(0.3, 0.22);
 // Share of the distance inland in the vertical coordinate of faces, and side of the tile of their finest detail, m.
 const LAND_FACE_LEAN = 0.6;
 const LAND_DETAIL_M = 8.7;
@@ -169,10 +157,11 @@ fn land_rock(
   // Hard beds are massive, and soft ones crumble.
   let crumbled = clamp(0.8 - 0.25 * beds.z, 0.45, 1.0);
   let rise = crumbled * (0.4 + 0.6 * walls) * dot(LAND_FACE_RELIEF_M, sunward.zw - face.zw) / step_m;
+  let facet = rise * inverseSqrt(1.0 + rise * rise / (LAND_FACE_STEEPEST * LAND_FACE_STEEPEST));
   var out: LandGround;
   // Hard beds are steep, and debris lies on soft ones.
   let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
-  out.relief = 0.65 * ledge * slope + clamp(rise, -0.42, 0.42) * toward + 0.18 * detail.wz;
+  out.relief = 0.65 * ledge * slope + facet * toward + LAND_DETAIL_SLOPES * detail.wz;
   // Thin strata: each has a tone of its own, a worn upper edge, and a joint below.
   let strata = layer * (1.0 / LAND_STRATUM_M) + 0.35 * beds.z + 0.22 * middle.z;
   let part = fract(strata);
@@ -200,12 +189,11 @@ fn land_rock(
 }
 
 // Mean slopes of the ground around between which rock lies bare also where it is level, the part of the slope of the
-// land itself that counts as much, and how much less slope it takes below these heights above the still water, m: the
-// foot of a cliff is a platform of rock.
+// land itself that counts as much, and how much less slope it takes below LAND_FOOT_M: the foot of a cliff is a platform
+// of rock.
 const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
 const LAND_CLIFF_LOCAL = 0.6;
 const LAND_FOOT_SLOPE = 0.06;
-const LAND_FOOT_M = vec2f(2.0, 4.0);
 
 // The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there,
 // `size` the width of the texels that are averaged over the pixel, m, and `around` the map's mean over LAND_AROUND_M.
@@ -220,13 +208,21 @@ fn land_ground(
   let cut = ledge * slope;
   let foot = LAND_FOOT_SLOPE * (1.0 - maths_rise(height, LAND_FOOT_M));
   let hill = max(length(around.yz), LAND_CLIFF_LOCAL * length(slope));
-  let cliff = maths_rise(hill + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES);
+  let steep = maths_rise(hill + foot + 0.02 * middle.z, LAND_CLIFF_SLOPES);
+  var cliff = steep;
+  if height < LAND_FOOT_M.y {
+    cliff = max(steep, land_level_rock(around, height));
+  }
   // Plants hold in ragged patches on cliffs.
   let ragged = (0.06 + 0.10 * cliff) * middle.z + 0.05 * fine.z + cliff * (0.16 + 0.13 * fine.z + 0.08 * fine.w);
   let upright = land_rock_share(length(cut) + ragged);
   let rock = max(upright, cliff);
   let built = land_built_share(map);
-  var out = land_sand(place, height, run_up, middle, fine, wide, size);
+  var out: LandGround;
+  // Rock and what is built hide all of the sand.
+  if max(rock, built) < 1.0 {
+    out = land_sand(place, height, run_up, middle, fine, wide, size);
+  }
   if rock * (1.0 - built) > 0.0 {
     let stone = land_rock(place, height, run_up, cut, around, size, middle, wide);
     out = land_mix(out, stone, rock);

@@ -55,9 +55,6 @@ fn mesh_fragment(in: LandMeshFragment) -> LandGBuffer {
 @group(2) @binding(1) var undisplaced_map: texture_2d<f32>;
 @group(2) @binding(2) var slope_map: texture_2d<f32>;
 
-// Width of the ground, m, by which hollows and the feet of cliffs are told.
-const LAND_AROUND_M = 40.0;
-
 // Distance before steep land, m, at which the run-up of the waves that wash it is read, and the mean slopes between
 // which land becomes steep.
 const LAND_BEFORE_STEEP_M = 14.0;
@@ -150,7 +147,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let run_up = land_run_up_m(position.xz - land_to_world(before));
   var ground: LandGround;
   if shown.y == 0.0 {
-    ground = land_ground(place, height, run_up, map * (1.0 - is_outside), slope, size, around * (1.0 - is_outside));
+    let known = vec4f(mix(around.x, height, is_outside), (1.0 - is_outside) * around.yzw);
+    ground = land_ground(place, height, run_up, map * (1.0 - is_outside), slope, size, known);
   } else {
     slope = mesh_slope;
     ground = cover_ground(shown.y, mesh.z, place, height, run_up, size);
@@ -184,7 +182,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     swept = swash_cover(position.xz, size);
     if swept > SWASH_SWEPT.x && shown.y == 0.0 {
       let bend = swash_tongues(place, size);
-      film = max(film, swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, length(slope)));
+      // Level rock keeps as little of a film as steep rock.
+      let steep_or_rock = max(length(slope), land_level_rock(around, height));
+      film = max(film, swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, steep_or_rock));
     }
   }
   if film > 0.0 {

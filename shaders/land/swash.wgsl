@@ -54,10 +54,10 @@ const SWASH_GLOW = 0.16;
 // Stops of light between hollows and lumps of the body, for each deviation of their noise.
 const SWASH_LUMPS = 0.35;
 
-// How much shorter the pattern of the edges of films is along the shore than across it, and the side of its tile along the
-// shore, m.
-const SWASH_TONGUE_STRETCH = 0.55;
-const SWASH_TONGUE_TILE_M = 41.0;
+// Length of the pattern of the edges of films along y in the frame of the coast, where built-in beaches lie, relative to
+// that along x, across the shore; and the side of its tile along y, m.
+const SWASH_TONGUE_STRETCH = 0.12;
+const SWASH_TONGUE_TILE_M = 97.0;
 
 // Noise that shapes the edge of a film of water on sand: it retreats in tongues, not in patches.
 fn swash_tongues(place: vec2f, size: f32) -> vec4f {
@@ -69,7 +69,7 @@ fn swash_tongues(place: vec2f, size: f32) -> vec4f {
 const SWASH_SWEPT = vec2f(0.03, 0.45);
 // Heights, relative to the run-up, between which that film ends, and how far a normal noise moves this line.
 const SWASH_SWEPT_HEIGHTS = vec2f(0.72, 0.88);
-const SWASH_SWEPT_LOBES = 0.09;
+const SWASH_SWEPT_LOBES = 0.06;
 
 // Share of the ground that is under the film of the last waves that have passed, where their foam covers the part `cover`.
 // It drains as the foam dissolves. `bend` is normal noise, and `steep` the slope of the land: rock keeps no such film.

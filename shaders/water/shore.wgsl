@@ -21,10 +21,12 @@ const SHORE_LACE_RUN_UP_M = vec2f(0.1, 0.6);
 // Height of the run-up, m, below which no collar of foam lies around rock and walls (x), and from which the collar is full
 // (y): waves of some decimetres only splash there.
 const SHORE_COLLAR_RUN_UP_M = vec2f(0.2, 0.9);
-// Part of the collar that foam covers at the waterline, and depth of the still water in which it ends, relative to the
-// height of the run-up, where the level is the mean one: twice as wide on crests, nothing in the deepest troughs.
+// Part of the collar that foam covers at the waterline; depth of the still water in which it ends, relative to the height
+// of the run-up, where the level is the mean one; and by how much of that it ends deeper on the highest crests and less
+// deep in troughs.
 const SHORE_COLLAR_COVER = 0.95;
-const SHORE_COLLAR_DEPTH = 3.4;
+const SHORE_COLLAR_DEPTH = 4.5;
+const SHORE_COLLAR_SWING = 0.6;
 // Part of the collar at the foot of the stone that is as thick as a breaker's front.
 const SHORE_COLLAR_CHURNED = 0.9;
 // Depth of the water, m, in which the foam of breakers goes over into that of the film on the sand, and the part of it
@@ -117,11 +119,13 @@ fn shore_hardness(ground: vec4f, place: vec2f, size: f32) -> f32 {
   if built == 1.0 {
     return select(1.0, SHORE_WALL_SHARE, ground.w > 0.0);
   }
-  // Water before the foot of a cliff is shallow.
-  if -ground.x > land.run_up_m {
+  // The foot of a cliff counts down to the depth of one run-up.
+  let run_up = max(land.run_up_m, 0.1);
+  if -ground.x > run_up {
     return built;
   }
-  return max(built, land_cliff_share(place, size));
+  let shallow = 1.0 - maths_rise(-ground.x, vec2f(0.5, 1.0) * run_up);
+  return max(built, shallow * land_cliff_share(place, ground.x, size));
 }
 
 // Foam of a pixel with `cover` more of it, whose youth is `young` and of which the part `fresh` is a front. It lies
@@ -182,7 +186,7 @@ fn shore_add_collar(foam: FoamAmount, ground: vec4f, hard: f32, at: vec2f, heigh
   let down = ground.yz * inverseSqrt(max(dot(ground.yz, ground.yz), 1e-4));
   let run_up = max(shore_run_up_m(at - LAND_BEFORE_STONE_M * land_to_world(down)), 1e-3);
   // The collar grows with a crest that runs up the stone, and what it leaves is drawn out by the trough.
-  let reach = SHORE_COLLAR_DEPTH * run_up * (1.0 + clamp(height / run_up, -0.8, 1.0));
+  let reach = SHORE_COLLAR_DEPTH * run_up * (1.0 + SHORE_COLLAR_SWING * clamp(height / run_up, -0.8, 1.0));
   let near = saturate(1.0 + ground.x / reach);
   let lively = min(frame.foam_amount, 1.0) * maths_rise(run_up, SHORE_COLLAR_RUN_UP_M);
   // A crest that meets the stone is thrown up as white water, nearest to the stone.
@@ -198,7 +202,8 @@ fn shore_add_lace(
   foam: FoamAmount, ground: vec4f, at: vec2f, height: f32, fall: vec2f, jacobian: f32, size: f32,
 ) -> FoamAmount {
   // No collar reaches deeper than one of the highest waves.
-  if -ground.x > max(2.0 * SHORE_COLLAR_DEPTH * land.run_up_m, 2.0 * SHORE_BACK_M) {
+  let deepest_m = (1.0 + SHORE_COLLAR_SWING) * SHORE_COLLAR_DEPTH * land.run_up_m;
+  if -ground.x > max(deepest_m, 2.0 * SHORE_BACK_M) {
     return foam;
   }
   var out = foam;
@@ -207,7 +212,8 @@ fn shore_add_lace(
   // A bore is white in front. Behind it, where the water falls towards the sea, foam is torn.
   let uphill = land_to_world(ground.yz);
   let seaward = dot(fall, uphill) * inverseSqrt(max(dot(uphill, uphill), 1e-8));
-  let thin = land_film_share(length(ground.yz)) * (1.0 - maths_smooth(column / SHORE_BACK_M));
+  let hard = shore_hardness(ground, land_place(at), size);
+  let thin = (1.0 - hard) * land_film_share(length(ground.yz)) * (1.0 - maths_smooth(column / SHORE_BACK_M));
   let folded = shore_folded(jacobian);
   let back = thin * maths_smooth(seaward / SHORE_BACK_FALL) * (1.0 - folded);
   out.cover *= thick * mix(1.0, SHORE_BACK_FOAM, back);
@@ -228,7 +234,6 @@ fn shore_add_lace(
     out = shore_more_foam(out, lively * max(edge, sheet), line, SHORE_RIM_FRONT * rim);
   }
   out.plume *= maths_smooth(column / SHORE_CLEAR_M);
-  let hard = shore_hardness(ground, land_place(at), size);
   if hard > 0.0 {
     out = shore_add_collar(out, ground, hard, at, height);
   }

@@ -30,7 +30,7 @@ gpu_struct! {
         pub extinction_per_km: f32,
         /// Reciprocal of the side of the noise that shapes the clouds, 1/km; a whole number of them fills the tile.
         pub shapes_per_km: f32,
-        /// Reciprocal of the side of the fine noise, 1/km.
+        /// Reciprocal of the side of the fine noise, 1/km; a whole number of them fills the tile, too.
         pub details_per_km: f32,
         /// Height of the heads that the noise adds to the clouds and takes from them, km.
         pub shape_amplitude: f32,
@@ -79,7 +79,8 @@ struct Kind {
     detail_km: f64,
     shape_amplitude_km: f64,
     detail_amplitude_km: f64,
-    /// Depth in which the cloud becomes dense, and the height above its base, km.
+    /// Depth in which the cloud becomes dense, and the height above its base, km. High heaps take about half of it, and
+    /// low ones up to three times as much (`cloud_rough_depth` in shaders/sky/cloud_field.wgsl).
     soft_km: [f64; 2],
     base_bump_km: f64,
     /// Height of a heap divided by its radius.
@@ -96,10 +97,10 @@ const CUMULUS: Kind = Kind {
     tile_km: 32.0,
     extinction_per_km: 55.0,
     shape_km: 1.0,
-    detail_km: 0.42,
+    detail_km: 0.25,
     shape_amplitude_km: 0.6,
     detail_amplitude_km: 0.12,
-    soft_km: [0.019, 0.056],
+    soft_km: [0.038, 0.11],
     base_bump_km: 0.08,
     slope: 1.0,
     step_km: 0.0072,
@@ -112,10 +113,10 @@ const STRATOCUMULUS: Kind = Kind {
     tile_km: 32.0,
     extinction_per_km: 45.0,
     shape_km: 1.6,
-    detail_km: 0.4,
+    detail_km: 0.25,
     shape_amplitude_km: 0.45,
     detail_amplitude_km: 0.13,
-    soft_km: [0.031, 0.063],
+    soft_km: [0.068, 0.14],
     base_bump_km: 0.1,
     stride: 0.7,
     ..CUMULUS
@@ -126,10 +127,10 @@ const TOWERING: Kind = Kind {
     tile_km: 64.0,
     extinction_per_km: 45.0,
     shape_km: 2.0,
-    detail_km: 0.7,
+    detail_km: 0.5,
     shape_amplitude_km: 0.8,
     detail_amplitude_km: 0.16,
-    soft_km: [0.038, 0.075],
+    soft_km: [0.06, 0.12],
     base_bump_km: 0.12,
     slope: 2.3,
     step_km: 0.012,
@@ -272,6 +273,17 @@ impl Clouds {
 mod tests {
     use super::*;
     use crate::state::params::Camera;
+
+    /// The clouds repeat without a seam.
+    #[test]
+    fn whole_numbers_of_noises_fill_the_tile() {
+        for kind in [CUMULUS, STRATOCUMULUS, TOWERING, CIRRUS, STORM] {
+            for side_km in [kind.shape_km, kind.detail_km] {
+                let count = kind.tile_km / side_km;
+                assert!((count - count.round()).abs() < 1e-9, "{count} noises of {side_km} km");
+            }
+        }
+    }
 
     fn ahead_of(heading_deg: f64) -> [f32; 2] {
         ahead(&View::new(&Camera { heading_deg, ..Camera::default() }, 1.5, 0.0))

@@ -77,10 +77,10 @@ const CLAIMS: [(&str, [f64; 2], [f64; 2]); 26] = [
     ("Dead calm with distant swell", [1.45, 1.55], [15.5, 16.5]),
     ("Ripples of a light breeze", [0.05, 0.15], [1.3, 1.5]),
     ("Shallow tropical water", [0.3, 0.4], [2.0, 3.0]),
-    ("Swell on a beach", [1.75, 1.9], [11.5, 12.5]),
+    ("Swell on a beach", [2.1, 2.3], [9.5, 10.5]),
     ("Headland and bay", [1.7, 1.9], [10.5, 11.5]),
     ("Surf on a bar", [2.4, 2.6], [11.5, 12.5]),
-    ("Around the island", [1.3, 1.45], [10.5, 11.5]),
+    ("Around the island", [1.75, 1.9], [10.5, 11.5]),
     ("Harbour entrance", [1.5, 1.75], [7.5, 8.5]),
     ("Over the shoal", [1.45, 1.6], [6.8, 7.4]),
 ];
