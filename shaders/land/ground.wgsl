@@ -43,8 +43,8 @@ fn land_sand(
     // The film drains through the sand: its edge has tongues, which are smaller where the sea is calm.
     let lively = 0.1 + 0.9 * min(run_up, 1.0);
     let over = height - LAND_FILM_SHARE * run_up;
-    let lobes = lively * (0.05 * tongues.z + 0.03 * tongues.w + 0.008 * fine.z);
-    film = 1.0 - maths_smooth((over + lobes) * 4.5 / lively + 0.5);
+    let lobes = lively * (0.08 * tongues.z + 0.05 * tongues.w + 0.012 * fine.z);
+    film = 1.0 - maths_smooth((over + lobes) * 11.0 / lively + 0.5);
   }
   // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
@@ -59,11 +59,11 @@ fn land_sand(
     out.albedo = mix(out.albedo, LAND_WRACK, land_wrack(above, middle, fine, size));
   }
   if wet > 0.0 {
-    out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.6 * wet + 0.4 * fresh);
+    out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.75 * wet + 0.25 * fresh);
     out.albedo *= 1.0 - 0.45 * wet * land_swash_marks(height, run_up, middle, fine, size);
   }
   // Dry sand is trodden and blown; water smooths it, but leaves some ripples. Far away the pattern would repeat.
-  let trodden = (0.006 + 0.024 * (1.0 - wet)) * saturate(0.7 + 0.4 * middle.w) * saturate(1.2 - 5.0 * size);
+  let trodden = (0.006 + 0.034 * (1.0 - wet)) * saturate(0.7 + 0.4 * middle.w) * saturate(1.2 - 5.0 * size);
   let left = saturate(0.6 * middle.w - 0.2 * middle.z - 0.25) * wet;
   out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + (trodden * fine.z) * vec2f(0.8, -0.6);
   // Sand that is full of water shines a little.
@@ -118,7 +118,7 @@ const LAND_BEDS_M = 17.0;
 const LAND_FACE_M = 59.0;
 const LAND_BEDS_STRETCH = 0.05;
 // Heights of lumps and of blocks of rock, m for each deviation of their noise.
-const LAND_FACE_RELIEF_M = vec2f(0.096, 0.06);
+const LAND_FACE_RELIEF_M = vec2f(0.09, 0.11);
 // Slope that the sides of lumps and blocks do not exceed, and slopes of the finest detail for each deviation of its noise.
 const LAND_FACE_STEEPEST = 0.4;
 const LAND_DETAIL_SLOPES = vec2f(0.3, 0.22);

@@ -55,20 +55,23 @@ const SWASH_GLOW = 0.16;
 const SWASH_LUMPS = 0.35;
 
 // Length of the pattern of the edges of films along y in the frame of the coast, where built-in beaches lie, relative to
-// that along x, across the shore; and the side of its tile along y, m.
+// that along x, across the shore; the side of its tile along y, m; and the width, m, over which it is averaged at least,
+// so that edges are smooth curves.
 const SWASH_TONGUE_STRETCH = 0.12;
 const SWASH_TONGUE_TILE_M = 97.0;
+const SWASH_TONGUE_WIDTH_M = 1.2;
 
 // Noise that shapes the edge of a film of water on sand: it retreats in tongues, not in patches.
 fn swash_tongues(place: vec2f, size: f32) -> vec4f {
-  return land_noise(vec2f(SWASH_TONGUE_STRETCH * place.x, place.y), SWASH_TONGUE_TILE_M, size);
+  let at = vec2f(SWASH_TONGUE_STRETCH * place.x, place.y);
+  return land_noise(at, SWASH_TONGUE_TILE_M, max(size, SWASH_TONGUE_WIDTH_M));
 }
 
 // Cover of the foam that a wave has left: where it is more than x, the wave has also left a film of water, and from y on
 // the film covers all sand.
 const SWASH_SWEPT = vec2f(0.03, 0.45);
 // Heights, relative to the run-up, between which that film ends, and how far a normal noise moves this line.
-const SWASH_SWEPT_HEIGHTS = vec2f(0.72, 0.88);
+const SWASH_SWEPT_HEIGHTS = vec2f(0.77, 0.83);
 const SWASH_SWEPT_LOBES = 0.06;
 
 // Share of the ground that is under the film of the last waves that have passed, where their foam covers the part `cover`.
