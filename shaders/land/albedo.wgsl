@@ -48,9 +48,10 @@ fn land_rock_share(steep: f32) -> f32 {
   return maths_rise(steep, LAND_ROCK_SLOPES);
 }
 
-// Width of the texels of the map, m, whose slope and height tell the foot of a cliff from a beach; the factor on that
-// slope, because half of this ground is level bed; and by how much, m, that height must exceed the one of the place, which
-// then is such a foot however gently it slopes itself. Built-in beaches stay below 1.8 m, also at the foot of dunes.
+// Width of the texels of the map, m, whose height and slope tell hollows, and the foot of a cliff from a beach. The
+// factor on that slope: half of this ground is level bed. And by how much, m, that height must exceed the height of a
+// place to make it the foot of a cliff, however gently it slopes itself: on built-in beaches it is less than 1.8 m,
+// below dunes too.
 const LAND_AROUND_M = 40.0;
 const LAND_CLIFF_FOOT_SLOPES = 2.0;
 const LAND_CLIFF_FOOT_HEIGHTS_M = vec2f(1.8, 3.0);
@@ -75,7 +76,7 @@ fn land_level_rock(around: vec4f, height: f32) -> f32 {
 }
 
 // Share of rock at a place that may be the foot of a cliff, where the ground has the height `height`, m, over texels of
-// `size` metres.
+// `size` metres. The ground around is read over wider texels than that height, or both would be the same.
 fn land_cliff_share(place: vec2f, height: f32, size: f32) -> f32 {
   return land_foot_share(land_at(place, land_lod(max(LAND_AROUND_M, 2.0 * size))), height);
 }
@@ -105,8 +106,8 @@ const LAND_TIDE_M = vec2f(1.1, 0.6);
 // Fraction of its albedo that wet stone keeps.
 const LAND_WET_STONE = 0.52;
 
-// Stone of an albedo where the sea washes it: dark as high as the waves splash, and weedy as high as they cover it often.
-// The last component is the share of stone that is wet.
+// Stone of an albedo where the sea washes it: dark as high as the waves splash, and weedy as high as they cover it
+// often. The last component is the share of stone that is wet.
 fn land_washed(albedo: vec3f, height: f32, run_up: f32, bend: f32) -> vec4f {
   let wet = land_wetness(height, bend, LAND_SPLASH * run_up + LAND_TIDE_M.x);
   let weedy = land_wetness(height, 1.6 * bend, LAND_WEED_ZONE * run_up + LAND_TIDE_M.y);

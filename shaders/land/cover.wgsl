@@ -46,8 +46,8 @@ fn stone_vertex(@builtin(vertex_index) i: u32, @builtin(instance_index) n: u32) 
   return StoneFragment(land_clip(at), at, turned, clamp(0.28 + 1.7 * above, 0.12, 1.0), stone.look);
 }
 
-// How round a block of a breakwater (x) and a rock (y) are: share of the direction from the middle in the normal of a face.
-// The sea wears fallen rocks.
+// How round blocks of breakwaters (x) and rocks (y) look: weight of the direction from the middle of the stone in the
+// normal of a face. The sea wears rocks round.
 const COVER_ROUND = vec2f(0.45, 0.8);
 
 @fragment

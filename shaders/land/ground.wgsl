@@ -119,7 +119,8 @@ const LAND_FACE_M = 59.0;
 const LAND_BEDS_STRETCH = 0.05;
 // Heights of lumps and of blocks of rock, m for each deviation of their noise.
 const LAND_FACE_RELIEF_M = vec2f(0.09, 0.11);
-// Slope that the sides of lumps and blocks do not exceed, and slopes of the finest detail for each deviation of its noise.
+// Slope that the sides of lumps and blocks do not exceed, and slopes of the finest detail for each deviation of its
+// noise.
 const LAND_FACE_STEEPEST = 0.4;
 const LAND_DETAIL_SLOPES = vec2f(0.3, 0.22);
 // Share of the distance inland in the vertical coordinate of faces, and side of the tile of their finest detail, m.
@@ -189,8 +190,8 @@ fn land_rock(
 }
 
 // Mean slopes of the ground around between which rock lies bare also where it is level, the part of the slope of the
-// land itself that counts as much, and how much less slope it takes below LAND_FOOT_M: the foot of a cliff is a platform
-// of rock.
+// land itself that counts as much, and how much less slope it takes below LAND_FOOT_M: the foot of a cliff is a
+// platform of rock.
 const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
 const LAND_CLIFF_LOCAL = 0.6;
 const LAND_FOOT_SLOPE = 0.06;

@@ -54,9 +54,9 @@ const SWASH_GLOW = 0.16;
 // Stops of light between hollows and lumps of the body, for each deviation of their noise.
 const SWASH_LUMPS = 0.35;
 
-// Length of the pattern of the edges of films along y in the frame of the coast, where built-in beaches lie, relative to
-// that along x, across the shore; the side of its tile along y, m; and the width, m, over which it is averaged at least,
-// so that edges are smooth curves.
+// Length of the pattern of the edges of films along y of the frame of the coast, relative to that along x: built-in
+// beaches run along y. The side of its tile along y, m. And the least width, m, over which it is averaged, so that
+// edges are smooth curves.
 const SWASH_TONGUE_STRETCH = 0.12;
 const SWASH_TONGUE_TILE_M = 97.0;
 const SWASH_TONGUE_WIDTH_M = 1.2;

@@ -21,9 +21,9 @@ const SHORE_LACE_RUN_UP_M = vec2f(0.1, 0.6);
 // Height of the run-up, m, below which no collar of foam lies around rock and walls (x), and from which the collar is full
 // (y): waves of some decimetres only splash there.
 const SHORE_COLLAR_RUN_UP_M = vec2f(0.2, 0.9);
-// Part of the collar that foam covers at the waterline; depth of the still water in which it ends, relative to the height
-// of the run-up, where the level is the mean one; and by how much of that it ends deeper on the highest crests and less
-// deep in troughs.
+// Part of the collar that foam covers at the waterline. Depth of the still water in which the collar ends while the
+// level is the mean one, relative to the height of the run-up. And the change of this depth, relative to itself, while
+// a crest as high as the run-up passes.
 const SHORE_COLLAR_COVER = 0.95;
 const SHORE_COLLAR_DEPTH = 4.5;
 const SHORE_COLLAR_SWING = 0.6;
