@@ -787,8 +787,8 @@ const FAULTS: &[Fault] = &[
     Fault(
         "J1: J_xz = 1 + dDx/dz",
         &[(
-            "waves.sums = carried;\n  waves.variance",
-            "waves.sums = carried;\n  waves.sums.shear += vec2f(1.0);\n  waves.variance",
+            "waves.sums = carried;\n  var gains",
+            "waves.sums = carried;\n  waves.sums.shear += vec2f(1.0);\n  var gains",
         )],
         "mean jacobian off 1",
     ),

@@ -345,6 +345,61 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
     }
 }
 
+/// Mean square slope in pixels, of the displaced surface in them by area and as the shaders tell it: the ratio of the two
+/// for the tenth of the pixels that lie most squeezed on crests, and for the tenth most stretched in troughs.
+fn steepness_of_pixels(shaders: &Shaders) -> [f64; 2] {
+    const PIXEL_M: f64 = 1.5;
+    const SIDE: usize = 12;
+    let mut bench = Bench::with_shaders("wind=10&fetch=100&t=5&n=256", shaders);
+    let places = places(1500, [0.0; 2], 3000.0);
+    // A tap blurs over as much as a pixel of this width.
+    let pixels = bench.ask([0.0; 2], &places, 0.58 * PIXEL_M, 0.0);
+    let inner: Vec<[f64; 2]> = places
+        .iter()
+        .flat_map(|p| {
+            (0..SIDE * SIDE).map(move |i| {
+                let off = [i % SIDE, i / SIDE].map(|k| (k as f64 + 0.5) / SIDE as f64 - 0.5);
+                [p[0] + PIXEL_M * off[0], p[1] + PIXEL_M * off[1]]
+            })
+        })
+        .collect();
+    let square = |d: &Drawn| d.slope[0].powi(2) + d.slope[1].powi(2);
+    let fine = bench.ask([0.0; 2], &inner, 1e-3, 0.0);
+    let mut ratios: Vec<[f64; 3]> = pixels
+        .iter()
+        .zip(fine.chunks(SIDE * SIDE))
+        .map(|(pixel, inner)| {
+            let area: f64 = inner.iter().map(|d| d.jacobian).sum();
+            let steep: f64 = inner.iter().map(|d| d.jacobian * square(d)).sum();
+            [pixel.jacobian, square(pixel) + pixel.variance[0] + pixel.variance[1], steep / area]
+        })
+        .collect();
+    ratios.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let tenth = ratios.len() / 10;
+    [&ratios[..tenth], &ratios[ratios.len() - tenth..]]
+        .map(|set| set.iter().map(|r| r[1]).sum::<f64>() / set.iter().map(|r| r[2]).sum::<f64>())
+}
+
+/// Waves inside a pixel are steeper on the crest of a longer wave and flatter in its trough.
+#[test]
+fn slopes_in_a_pixel_are_those_of_the_displaced_surface() {
+    const TOLERANCE: f64 = 0.08;
+    let off = |shaders: &Shaders| {
+        let ratios = steepness_of_pixels(shaders);
+        eprintln!("steepness told by steepness found, on crests and in troughs: {ratios:.3?}");
+        ratios.into_iter().map(|r| (r - 1.0).abs()).fold(0.0, f64::max)
+    };
+    let right = off(&wgsl::shaders());
+    assert!(right < TOLERANCE, "{right}");
+    for (line, fault) in [
+        ("sums, sides) * (over * over);\n  out.jacobian", "sums, sides);\n  out.jacobian"),
+        ("waves.variance *= (1.0 + bound.x) * (1.0 + bound.x);", ""),
+    ] {
+        let wrong = off(&wgsl::shaders().patched("water/light", line, fault));
+        assert!(wrong > TOLERANCE, "not found: {line}: {wrong}");
+    }
+}
+
 /// Oracle of the drawn fields of a sea at 30 s, for each cascade.
 struct Twin {
     plan: Plan,

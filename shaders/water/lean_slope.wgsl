@@ -75,10 +75,6 @@ fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDeriva
   var waves: WaterSlopeSums;
   waves.sums = carried;
   let gust = water_gust_gain(at, foot.side_m);
-  waves.variance = frame.residual_slope_covariance;
-  if WATER_GUSTS {
-    waves.variance *= gust;
-  }
   var gains: vec3f;
   if WATER_COAST {
     gains = coast_gains(at);
@@ -101,10 +97,13 @@ fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDeriva
   let sides = 1.0 + frame.choppiness * sums.stretch;
   let jacobian = water_jacobian(sums, sides);
   var out: WaterSlope;
-  let slope = sums.slope + water_bound_slope(sums, moved, gains);
-  out.mean = water_slope_displaced(slope, sums, sides) * (1.0 / max(jacobian, 0.25));
+  let bound = water_bound_factors(moved, gains);
+  let over = 1.0 / max(jacobian, 0.25);
+  out.mean = water_slope_displaced(sums.slope + water_bound_slope(sums, bound), sums, sides) * over;
   out.mean = clamp(out.mean, vec2f(-1.2), vec2f(1.2));
-  out.variance = waves.variance;
+  let of_bound = over * (1.0 + bound.x);
+  out.variance = water_covariance_displaced(waves.variance, sums, sides) * (of_bound * of_bound);
+  out.variance += water_residual_covariance(gust);
   out.jacobian = jacobian;
   return out;
 }

@@ -72,22 +72,11 @@ fn mesh_fragment(in: MeshFragment) -> GBuffer {
 @group(2) @binding(2) var slope_and_stretch_map: texture_2d<f32>;
 @group(2) @binding(3) var shear_and_side_map: texture_2d<f32>;
 
-// Difference of the undisplaced position between neighbouring pixels, relative to the longer side of the pixel, above
-// which they show different waves.
-const WATER_PIXEL_JUMP = 1.5;
-
-// Side of a pixel on the undisplaced sea, m, and whether the neighbour in the pixel's quad shows the same wave.
-struct WaterPixelSide {
-  side: vec2f,
-  is_smooth: bool,
-}
-
-// The side of a pixel to the neighbour whose undisplaced position differs by `across`, m. At the edge of a wave the
-// neighbour shows another wave or the sky, so that the difference says little. No side is longer than `longest_m`.
-fn water_pixel_side(across: vec2f, longest_m: f32) -> WaterPixelSide {
-  let square = dot(across, across);
-  let most_m = WATER_PIXEL_JUMP * longest_m;
-  return WaterPixelSide(across * min(longest_m * inverseSqrt(max(square, 1e-18)), 1.0), square < most_m * most_m);
+// The side of a pixel on the undisplaced sea, m, to the neighbour whose position there differs by `across`, m. At the edge
+// of a wave the neighbour shows another wave or the sky, so that the difference says little. No side is longer than
+// `longest_m`.
+fn water_pixel_side(across: vec2f, longest_m: f32) -> vec2f {
+  return across * min(longest_m * inverseSqrt(max(dot(across, across), 1e-18)), 1.0);
 }
 
 // Whether the eye dives: the G-buffer then has a negative side where it shows the water from below (under.wgsl).
@@ -105,10 +94,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let side_and_sun = mesh_side_and_sun(shear_and_side.y);
   let side_m = side_and_sun.x;
   // Fine derivatives, because coarse ones may come from the other row of a quad of pixels, which may show the sky.
-  let x = water_pixel_side(dpdxFine(at), side_m);
-  let y = water_pixel_side(dpdyFine(at), side_m);
-  let dx = frame.footprint_scale * x.side;
-  let dy = frame.footprint_scale * y.side;
+  let dx = frame.footprint_scale * water_pixel_side(dpdxFine(at), side_m);
+  let dy = frame.footprint_scale * water_pixel_side(dpdyFine(at), side_m);
   let foot = water_footprint(dx, dy);
   let point = WaterPoint(place, at, water_height_m(place));
   let gust = water_gust_gain(at, foot.length_m);
@@ -128,16 +115,12 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let carried = WaterDerivatives(mesh.xy, mesh.zw, shear_and_side.xx);
     slope = water_slope_with_carried(at, water_moved(point), foot, foot, carried, true, gust);
   }
-  // If a neighbouring pixel shows another wave or the sky, the difference is not a change of slope within this pixel.
-  let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth);
-  let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth);
-  var bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
   if WATER_DIVES {
     // Between vertices, the rim of a crest right before the lens may be turned away from the eye.
-    let facing = dot(bent.mean, place.xz) - place.y - 0.02 * length(place);
-    bent.mean -= place.xz * (min(facing, 0.0) / max(dot(place.xz, place.xz), 1e-6));
+    let facing = dot(slope.mean, place.xz) - place.y - 0.02 * length(place);
+    slope.mean -= place.xz * (min(facing, 0.0) / max(dot(place.xz, place.xz), 1e-6));
   }
-  return water_radiance(point, foot, bent, gust, vec2u(pixel));
+  return water_radiance(point, foot, slope, gust, vec2u(pixel));
 }
 
 @fragment

@@ -27,7 +27,7 @@ fn water_limit_covariance(variance: vec3f) -> vec3f {
 // Sums over the waves within a footprint, in undisplaced coordinates.
 struct WaterSlopeSums {
   sums: WaterDerivatives,
-  // Covariance (xx, zz, xz) of the unresolved slopes.
+  // Covariance (xx, zz, xz) of the slopes of the waves in the maps that the footprint does not resolve.
   variance: vec3f,
   // Half the difference of the slope between the two halves of the footprint.
   half_slope_difference: vec2f,
@@ -163,11 +163,6 @@ fn water_slope_with_carried(
 ) -> WaterSlope {
   var waves: WaterSlopeSums;
   waves.sums = carried;
-  // Covariance of the slopes of all waves that are in no map (Cox and Munk 1954).
-  waves.variance = frame.residual_slope_covariance;
-  if WATER_GUSTS {
-    waves.variance *= gust;
-  }
   var gains: vec3f;
   if WATER_COAST {
     gains = coast_gains(at);
@@ -195,47 +190,20 @@ fn water_slope_with_carried(
     let squeeze = mix(1.0, clamp(of_mesh, 0.25, 1.0), gains.z);
     waves.sums.slope = mix(carried.slope, waves.sums.slope, squeeze);
     waves.half_slope_difference *= squeeze;
+    waves.variance *= squeeze * squeeze;
   }
-  waves.sums.slope += water_bound_slope(waves.sums, moved, gains);
-  return water_displaced_slope(waves);
-}
-
-// Slope that the bound waves add to the slope of the elevation, where the waves have moved the water by `moved`. Their
-// height is a sum of products of heights and displacements, so its gradient has each times the gradient of the other. The
-// waves at a coast have no bound waves, as the factor of offshore waves in `gains` tells.
-fn water_bound_slope(sums: WaterDerivatives, moved: vec3f, gains: vec3f) -> vec2f {
-  var factors = frame.bound_slope_factors * moved.yxz;
-  if WATER_COAST {
-    factors *= gains.y;
-  }
-  // `moved` contains the bound waves, whose height does not count in the products.
-  factors.x -= frame.bound_slope_factors.x * (0.5 * dot(factors, moved.yxz) + frame.bound_level_m);
-  return (factors.x + frame.bound_elevation_gain) * sums.slope
-    + vec2f(factors.y * sums.stretch.x + factors.z * sums.shear.y, factors.y * sums.shear.x + factors.z * sums.stretch.y);
-}
-
-// Slope statistics of the displaced surface from sums over its waves.
-fn water_displaced_slope(waves: WaterSlopeSums) -> WaterSlope {
-  let sums = waves.sums;
-  let sides = 1.0 + frame.choppiness * sums.stretch;
-  let jacobian = water_jacobian(sums, sides);
-  // Where the surface folds over itself, its slope has no meaning. It only needs to stay finite below the foam.
-  let over = 1.0 / max(jacobian, 0.25);
-  var out: WaterSlope;
-  out.mean = water_slope_displaced(waves.sums.slope, sums, sides) * over;
-  out.mean *= min(1.0, 1.6 / max(length(out.mean), 1e-6));
-  out.variance = water_limit_covariance(waves.variance);
-  out.jacobian = jacobian;
-  out.half_slope_difference = water_slope_displaced(waves.half_slope_difference, sums, sides) * over;
+  let bound = water_bound_factors(moved, gains);
+  waves.sums.slope += water_bound_slope(waves.sums, bound);
+  waves.variance *= (1.0 + bound.x) * (1.0 + bound.x);
+  var out = water_displaced_slope(waves);
+  out.variance += water_residual_covariance(gust);
   return out;
 }
 
-// Jacobian of the displacement. `sides` is 1 + chop (dDx/dx, dDz/dz).
-fn water_jacobian(sums: WaterDerivatives, sides: vec2f) -> f32 {
-  return sides.x * sides.y - frame.choppiness.x * frame.choppiness.y * sums.shear.x * sums.shear.y;
-}
-
-// Slope of the displaced surface times its Jacobian, from the undisplaced slope. `sides` is 1 + chop (dDx/dx, dDz/dz).
-fn water_slope_displaced(slope: vec2f, sums: WaterDerivatives, sides: vec2f) -> vec2f {
-  return slope * sides.yx - slope.yx * frame.choppiness.yx * sums.shear.yx;
+// Covariance (xx, zz, xz) of the slopes of all waves that are in no map (Cox and Munk 1954).
+fn water_residual_covariance(gust: f32) -> vec3f {
+  if WATER_GUSTS {
+    return gust * frame.residual_slope_covariance;
+  }
+  return frame.residual_slope_covariance;
 }

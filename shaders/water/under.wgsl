@@ -174,10 +174,8 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let is_water = textureLoad(depth_map, pixel, 0) > 0.0;
   let at = textureLoad(undisplaced_map, pixel, 0).xy;
   let side_m = mesh_side_and_sun(textureLoad(shear_and_side_map, pixel, 0).y).x;
-  let x = water_pixel_side(dpdxFine(at), side_m);
-  let y = water_pixel_side(dpdyFine(at), side_m);
-  let dx = frame.footprint_scale * x.side;
-  let dy = frame.footprint_scale * y.side;
+  let dx = frame.footprint_scale * water_pixel_side(dpdxFine(at), side_m);
+  let dy = frame.footprint_scale * water_pixel_side(dpdyFine(at), side_m);
   var begins = true;
   if UNDER_SEES_AIR {
     begins = under_begins(pixel, in.ray) || under_is_fold(pixel, in.ray);
@@ -209,8 +207,6 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
     let breaker = breaker_motion(at, point.height, vec2f(0.0), surf_motion(at));
     slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, gust);
   }
-  let bend_x = select(vec2f(0.0), dpdxFine(slope.mean), x.is_smooth && shows_ceiling);
-  let bend_y = select(vec2f(0.0), dpdyFine(slope.mean), y.is_smooth && shows_ceiling);
   if UNDER_SEES_AIR && !begins && !is_climbing {
     discard;
   }
@@ -219,12 +215,11 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   var length_m = 1e4;
   var radiance = vec3f(0.0);
   if shows_ceiling {
-    var bent = water_add_slope_change(slope, bend_x, bend_y, dot(dx, dx) > dot(dy, dy));
     // At the edge of a fold the surface between vertices may be turned away from the eye.
-    let away = dot(bent.mean, dir.xz) - dir.y + 0.02;
-    bent.mean -= dir.xz * (max(away, 0.0) / max(dot(dir.xz, dir.xz), 1e-6));
+    let away = dot(slope.mean, dir.xz) - dir.y + 0.02;
+    slope.mean -= dir.xz * (max(away, 0.0) / max(dot(dir.xz, dir.xz), 1e-6));
     length_m = length(place);
-    radiance = under_surface(dir, place, at, foot, bent);
+    radiance = under_surface(dir, place, at, foot, slope);
   } else if is_land {
     let spot = lit_position(in.ray, pixel);
     length_m = length(spot);

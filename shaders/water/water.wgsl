@@ -38,17 +38,6 @@ fn water_moved(point: WaterPoint) -> vec3f {
   return vec3f(sideways.x, point.height, sideways.y);
 }
 
-// Adds to slope statistics the change of the slope across the pixel, because slopes that change within a pixel glitter
-// like a rough surface (Tokuyoshi and Kaplanyan 2019). `along_x` tells that the pixel's longer side is dx.
-fn water_add_slope_change(slope: WaterSlope, bend_x: vec2f, bend_y: vec2f, along_x: bool) -> WaterSlope {
-  let bend = (1.0 / 12.0) * (maths_self_products(bend_x) + maths_self_products(bend_y));
-  let most_bend = frame.footprint_scale * min(1.0, 0.08 / max(max(bend.x, bend.y), 1e-6));
-  var out = slope;
-  out.variance = water_limit_covariance(slope.variance + bend * most_bend);
-  out.half_slope_difference += 0.25 * sqrt(most_bend) * select(bend_y, bend_x, along_x);
-  return out;
-}
-
 // Slope statistics whose mean is that of what the eye sees: the half of a footprint that shows it more of its area counts
 // more. The share by which both areas differ is an approximation for Gaussian slopes that is right at grazing angles,
 // with the mean of the variances along and across the view.

@@ -95,6 +95,7 @@ const WATER: SourcePart = SourcePart::Group(&[
     part!("water/footprint.wgsl"),
     part!("water/gusts.wgsl"),
     part!("water/slope.wgsl"),
+    part!("water/displaced_slope.wgsl"),
     part!("water/shadow_sun.wgsl"),
     part!("water/shadow.wgsl"),
     part!("water/material.wgsl"),
