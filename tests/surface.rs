@@ -17,6 +17,18 @@ use std::f64::consts::TAU;
 
 /// The question is a point beside the eye's foot (x, z), the texel size of a sample, m, and the length of the pixel, m.
 const ANSWER: &str = "
+// A covariance is a sum of products of slopes, and is mapped as these slopes are.
+fn covariance_error() -> f32 {
+  let sums = WaterDerivatives(vec2f(0.0), vec2f(-0.2, 0.1), vec2f(0.15, 0.1));
+  let sides = 1.0 + frame.choppiness * sums.stretch;
+  let jacobian = water_jacobian(sums, sides);
+  let a = vec2f(0.1, 0.02);
+  let b = vec2f(-0.03, 0.08);
+  let of_slopes = maths_self_products(water_slope_displaced(a, sums, sides) / jacobian)
+    + maths_self_products(water_slope_displaced(b, sums, sides) / jacobian);
+  let mapped = water_covariance_displaced(maths_self_products(a) + maths_self_products(b), sums, sides, jacobian);
+  return length(mapped - of_slopes) / length(of_slopes);
+}
 fn answer(question: Question) -> Answer {
   let q = question[0];
   let width_m = q.z / WATER_TAP_TEXEL_RATIO;
@@ -26,7 +38,7 @@ fn answer(question: Question) -> Answer {
   let vertex = water_displacement(q.xy, 1.5 * mesh_spacing(length(q.xy)), true);
   let split = water_slope_with_carried(q.xy, moved, foot, foot, vertex.carried, true, 1.0);
   return Answer(
-    vec4f(moved, 0.0),
+    vec4f(moved, covariance_error()),
     vec4f(slope.mean, slope.jacobian, 0.0),
     vec4f(slope.variance, 0.0),
     vec4f(split.mean, length(vertex.carried.slope), 0.0));
@@ -44,6 +56,8 @@ struct Drawn {
     /// Slope as the sum of the vertex's and the pixel's part, and the length of the vertex's part before chop.
     split: [f64; 2],
     carried: f64,
+    /// Relative error of a covariance that is mapped to the displaced surface.
+    covariance_error: f64,
 }
 
 /// Size of the picture in the frame uniform.
@@ -94,9 +108,18 @@ impl Bench {
             .map(|p| [[(p[0] - foot[0]) as f32, (p[1] - foot[1]) as f32, size as f32, long as f32]])
             .collect();
         let drawn = |a: [[f64; 4]; 4]| {
-            let [[x, y, z, _], [sx, sz, jacobian, _], [xx, zz, xz, _], [split_x, split_z, carried, _]] = a;
+            let [[x, y, z, covariance_error], [sx, sz, jacobian, _], [xx, zz, xz, _], [split_x, split_z, carried, _]] =
+                a;
             let split = [split_x, split_z];
-            Drawn { moved: [x, y, z], slope: [sx, sz], jacobian, variance: [xx, zz, xz], split, carried }
+            Drawn {
+                moved: [x, y, z],
+                slope: [sx, sz],
+                jacobian,
+                variance: [xx, zz, xz],
+                split,
+                carried,
+                covariance_error,
+            }
         };
         self.kernel.ask(&questions).into_iter().map(drawn).collect()
     }
@@ -345,14 +368,15 @@ fn slopes_that_a_pixel_cannot_resolve_are_not_lost() {
     }
 }
 
-/// Mean square slope in pixels, of the displaced surface in them by area and as the shaders tell it: the ratio of the two
-/// for the tenth of the pixels that lie most squeezed on crests, and for the tenth most stretched in troughs.
-fn steepness_of_pixels(shaders: &Shaders) -> [f64; 2] {
+/// Mean square slope in pixels as the shaders tell it, divided by that of the displaced surface in them by area: for
+/// the tenth of the pixels that lie most squeezed on crests, and for the tenth most stretched in troughs. Then the
+/// error of a covariance that is mapped.
+fn steepness_of_pixels(shaders: &Shaders) -> [f64; 3] {
     const PIXEL_M: f64 = 1.5;
     const SIDE: usize = 12;
     let mut bench = Bench::with_shaders("wind=10&fetch=100&t=5&n=256", shaders);
     let places = places(1500, [0.0; 2], 3000.0);
-    // A tap blurs over as much as a pixel of this width.
+    // The texels of a sample of the pixel: WATER_TAP_TEXEL_RATIO times its width.
     let pixels = bench.ask([0.0; 2], &places, 0.58 * PIXEL_M, 0.0);
     let inner: Vec<[f64; 2]> = places
         .iter()
@@ -376,8 +400,9 @@ fn steepness_of_pixels(shaders: &Shaders) -> [f64; 2] {
         .collect();
     ratios.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let tenth = ratios.len() / 10;
-    [&ratios[..tenth], &ratios[ratios.len() - tenth..]]
-        .map(|set| set.iter().map(|r| r[1]).sum::<f64>() / set.iter().map(|r| r[2]).sum::<f64>())
+    let [crests, troughs] = [&ratios[..tenth], &ratios[ratios.len() - tenth..]]
+        .map(|set| set.iter().map(|r| r[1]).sum::<f64>() / set.iter().map(|r| r[2]).sum::<f64>());
+    [crests, troughs, pixels[0].covariance_error]
 }
 
 /// Waves inside a pixel are steeper on the crest of a longer wave and flatter in its trough.
@@ -385,15 +410,17 @@ fn steepness_of_pixels(shaders: &Shaders) -> [f64; 2] {
 fn slopes_in_a_pixel_are_those_of_the_displaced_surface() {
     const TOLERANCE: f64 = 0.08;
     let off = |shaders: &Shaders| {
-        let ratios = steepness_of_pixels(shaders);
-        eprintln!("steepness told by steepness found, on crests and in troughs: {ratios:.3?}");
-        ratios.into_iter().map(|r| (r - 1.0).abs()).fold(0.0, f64::max)
+        let [crests, troughs, mapped] = steepness_of_pixels(shaders);
+        eprintln!("steepness told by steepness found: {crests:.3} on crests, {troughs:.3} in troughs; {mapped:.1e}");
+        [(crests - 1.0).abs(), (troughs - 1.0).abs(), 1e3 * mapped].into_iter().fold(0.0, f64::max)
     };
     let right = off(&wgsl::shaders());
     assert!(right < TOLERANCE, "{right}");
     for (line, fault) in [
-        ("sums, sides) * (over * over);\n  out.jacobian", "sums, sides);\n  out.jacobian"),
-        ("waves.variance *= (1.0 + bound.x) * (1.0 + bound.x);", ""),
+        ("water_covariance_displaced(waves.variance, sums, sides, jacobian);\n  out.j", "waves.variance;\n  out.j"),
+        ("let shear = -frame.choppiness", "let shear = frame.choppiness"),
+        ("over * mat2x2f(sides.y, shear.x, shear.y, sides.x)", "over * mat2x2f(sides.x, shear.x, shear.y, sides.y)"),
+        ("= 1.0 + bound.x;\n  waves.variance *= (1.0 + bound.x) * (1.0 + bound.x);", "= 1.0 + bound.x;"),
     ] {
         let wrong = off(&wgsl::shaders().patched("water/light", line, fault));
         assert!(wrong > TOLERANCE, "not found: {line}: {wrong}");

@@ -72,9 +72,9 @@ fn mesh_fragment(in: MeshFragment) -> GBuffer {
 @group(2) @binding(2) var slope_and_stretch_map: texture_2d<f32>;
 @group(2) @binding(3) var shear_and_side_map: texture_2d<f32>;
 
-// The side of a pixel on the undisplaced sea, m, to the neighbour whose position there differs by `across`, m. At the edge
-// of a wave the neighbour shows another wave or the sky, so that the difference says little. No side is longer than
-// `longest_m`.
+// One side of a pixel on the undisplaced sea, m: `across`, the way from this pixel's position there to a neighbour's.
+// At the edge of a wave the neighbour shows another wave or the sky, so that the way says little. No side is longer
+// than `longest_m`.
 fn water_pixel_side(across: vec2f, longest_m: f32) -> vec2f {
   return across * min(longest_m * inverseSqrt(max(dot(across, across), 1e-18)), 1.0);
 }

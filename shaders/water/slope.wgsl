@@ -190,12 +190,16 @@ fn water_slope_with_carried(
     let squeeze = mix(1.0, clamp(of_mesh, 0.25, 1.0), gains.z);
     waves.sums.slope = mix(carried.slope, waves.sums.slope, squeeze);
     waves.half_slope_difference *= squeeze;
-    waves.variance *= squeeze * squeeze;
   }
   let bound = water_bound_factors(moved, gains);
   waves.sums.slope += water_bound_slope(waves.sums, bound);
+  waves.half_slope_difference *= 1.0 + bound.x;
   waves.variance *= (1.0 + bound.x) * (1.0 + bound.x);
   var out = water_displaced_slope(waves);
+  if WATER_COAST {
+    // As above: surf does not squeeze the short waves.
+    out.variance = mix(out.variance, water_limit_covariance(waves.variance), gains.z);
+  }
   out.variance += water_residual_covariance(gust);
   return out;
 }

@@ -198,15 +198,6 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   let is_land = WATER_LAND && is_water && !is_climbing && at.x > LAND_NO_WATER_M;
   let shows_ceiling = begins && is_water && !is_land;
   let foot = water_footprint(dx, dy);
-  var place = vec3f(0.0);
-  var slope: WaterSlope;
-  if shows_ceiling {
-    place = lit_position(in.ray, pixel);
-    let point = WaterPoint(place, at, water_height_m(place));
-    let gust = water_gust_gain(at, foot.length_m);
-    let breaker = breaker_motion(at, point.height, vec2f(0.0), surf_motion(at));
-    slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, gust);
-  }
   if UNDER_SEES_AIR && !begins && !is_climbing {
     discard;
   }
@@ -215,6 +206,11 @@ fn under_fragment(in: LightFragment) -> @location(0) vec4f {
   var length_m = 1e4;
   var radiance = vec3f(0.0);
   if shows_ceiling {
+    let place = lit_position(in.ray, pixel);
+    let point = WaterPoint(place, at, water_height_m(place));
+    let gust = water_gust_gain(at, foot.length_m);
+    let breaker = breaker_motion(at, point.height, vec2f(0.0), surf_motion(at));
+    var slope = water_slope_with_carried(at, water_moved(point), foot, foot, breaker.derivatives, false, gust);
     // At the edge of a fold the surface between vertices may be turned away from the eye.
     let away = dot(slope.mean, dir.xz) - dir.y + 0.02;
     slope.mean -= dir.xz * (max(away, 0.0) / max(dot(dir.xz, dir.xz), 1e-6));

@@ -55,7 +55,7 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64, rough: f64) -> Vec<FoamCorner> 
             let begun = (f64::from(i) / 2.0).min(1.0);
             (beside(z) + DVec3::X * (side * 0.03), press * rise_m * high, white * press * shown * begun)
         });
-        sheet(&mut corners, &crest.collect(), side);
+        sheet(&mut corners, &crest.collect(), side, Profile::Thrown);
         // The bow wave and the stern wave run away from the hull.
         for (from, height, reach) in [(stem + 0.9, 0.9, 2.6), (stern - 0.1, 0.5, 3.2)] {
             let start = beside(from);
@@ -65,7 +65,7 @@ pub fn yacht_foam(speed_m_s: f64, heel_rad: f64, rough: f64) -> Vec<FoamCorner> 
                 let at = start + DVec3::new(side * (0.02 + 0.4 * behind_m), 0.0, behind_m);
                 (at, press * rise_m * height * fade, white * press * fade.sqrt())
             });
-            sheet(&mut corners, &crest.collect(), side);
+            sheet(&mut corners, &crest.collect(), side, Profile::Heaped);
         }
     }
     wake(&mut corners, rise_m, white);
@@ -80,7 +80,7 @@ fn wake(corners: &mut Vec<FoamCorner>, rise_m: f64, white: f64) {
             (DVec3::new(x * half, 0.0, z), rise_m * height * (1.0 - 0.6 * x * x), white * shown)
         });
         let crest: Crest = crest.collect();
-        sheet(corners, &crest, 0.0);
+        sheet(corners, &crest, 0.0, Profile::Heaped);
     }
     for side in [-1.0, 0.0, 1.0] {
         let crest = (0..=20).map(|i| {
@@ -88,21 +88,35 @@ fn wake(corners: &mut Vec<FoamCorner>, rise_m: f64, white: f64) {
             let at = DVec3::new(side * (0.85 + 0.04 * behind_m), 0.0, 5.6 + behind_m);
             (at, 0.25 * rise_m, white * 0.6 * (-behind_m / 12.0).exp())
         });
-        sheet(corners, &crest.collect(), side);
+        sheet(corners, &crest.collect(), side, Profile::Heaped);
     }
 }
 
-/// Adds a sheet whose foot lies to the side of its crest, away from the hull, or astern of it (0). It is steeper at its
-/// crest than at its foot.
-fn sheet(corners: &mut Vec<FoamCorner>, crest: &Crest, side: f64) {
+/// How a sheet of white water leans.
+#[derive(Clone, Copy)]
+enum Profile {
+    /// A heap of water: the foot lies farther out than the crest, and the sheet is steeper at its crest.
+    Heaped,
+    /// Water that the hull throws away: the crest flies farther out than the foot.
+    Thrown,
+}
+
+/// Adds a sheet that leans away from the hull, to a side or astern (0).
+fn sheet(corners: &mut Vec<FoamCorner>, crest: &Crest, side: f64, profile: Profile) {
     let mut along_m = 0.0;
     let mut rows = Vec::new();
     for (i, &(at, high_m, white)) in crest.iter().enumerate() {
         along_m += if i > 0 { (at - crest[i - 1].0).length() } else { 0.0 };
         let outward = if side == 0.0 { DVec3::Z } else { DVec3::X * side };
         rows.push([0.0, 0.25, 0.5, 0.75, 1.0].map(|up: f64| {
-            let out = outward * ((0.2 + 0.8 * high_m) * (1.0 - up).powi(2));
-            FoamCorner { at: at + out + DVec3::Y * (FOOT_M + up * (high_m - FOOT_M)), pattern: [along_m, up, white] }
+            let out_m = match profile {
+                Profile::Heaped => (0.2 + 0.8 * high_m) * (1.0 - up).powi(2),
+                Profile::Thrown => 0.1 + high_m * up * (0.3 + 0.6 * up),
+            };
+            FoamCorner {
+                at: at + outward * out_m + DVec3::Y * (FOOT_M + up * (high_m - FOOT_M)),
+                pattern: [along_m, up, white],
+            }
         }));
     }
     for pair in rows.windows(2) {
@@ -122,9 +136,14 @@ mod tests {
         assert!(yacht_foam(0.5, 0.0, 1.0).is_empty());
         let foam = yacht_foam(3.0, 0.3, 0.0);
         assert!(foam.len().is_multiple_of(3) && foam.iter().all(|c| (-0.5..1.0).contains(&c.at.y)));
-        // Halfway up, a sheet is nearer to its crest than to its foot: it leans less there.
-        let row = |up: f64| foam.iter().find(|c| c.pattern[1] == up).map(|c| c.at.x.abs()).expect("a corner");
-        assert!(row(0.5) - row(1.0) < 0.3 * (row(0.0) - row(1.0)), "{} {} {}", row(0.0), row(0.5), row(1.0));
+        // The bow throws water out, and a wave that runs away from it is a heap with a wide foot.
+        let row = |corners: &[FoamCorner], up: f64| {
+            corners.iter().find(|c| c.pattern[1] == up).map(|c| c.at.x.abs()).expect("a corner")
+        };
+        assert!(row(&foam, 1.0) > row(&foam, 0.5) && row(&foam, 0.5) > row(&foam, 0.0));
+        let mut heap = Vec::new();
+        sheet(&mut heap, &vec![(DVec3::X, 0.5, 1.0), (DVec3::X + DVec3::Z, 0.5, 1.0)], 1.0, Profile::Heaped);
+        assert!(row(&heap, 0.0) > row(&heap, 0.5) && row(&heap, 0.5) > row(&heap, 1.0));
         // A rough sea throws it higher.
         let highest = |foam: &[FoamCorner]| foam.iter().map(|c| c.at.y).fold(0.0, f64::max);
         let rough = highest(&yacht_foam(3.0, 0.3, roughness(15.0)));
