@@ -115,7 +115,7 @@ const STRATOCUMULUS: Kind = Kind {
     shape_km: 1.6,
     detail_km: 0.25,
     shape_amplitude_km: 0.72,
-    detail_amplitude_km: 0.28,
+    detail_amplitude_km: 0.2,
     soft_km: [0.068, 0.14],
     base_bump_km: 0.1,
     stride: 0.7,
