@@ -15,8 +15,8 @@ use std::sync::Arc;
 
 const SIZE: [u32; 2] = [96, 64];
 const FRAME_S: f64 = 1.0 / 60.0;
-/// Frames after which a glide of 0.8 s is over.
-const FRAMES: usize = 49;
+/// Frames after which a glide of 0.85 s is over.
+const FRAMES: usize = 52;
 
 /// A window without a window.
 struct Window {

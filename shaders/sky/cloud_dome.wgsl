@@ -50,8 +50,8 @@ fn dome_march(dir: vec3f, near: f32, far: f32, texel_rad: f32) -> DomeLight {
     let finest = max(cloud_field.step_km, 0.0024 * t);
     let place = cloud_depth(p);
     let depth = place.x;
-    // Noise that is finer than the dome's texels or half a step fades to its mean.
-    let footprint_km = max(texel_rad * t, 0.5 * finest);
+    // Noise that is finer than the dome's texels or a step fades to its mean: else it would leave grain.
+    let footprint_km = max(texel_rad * t, finest);
     var inside = depth;
     if depth > -0.5 * cloud_field.shape_amplitude {
       inside = cloud_rough_depth(p, place, footprint_km);

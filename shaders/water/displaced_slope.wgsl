@@ -56,7 +56,7 @@ const WATER_MOST_VARIANCE = 0.5;
 fn water_covariance_displaced(undisplaced: vec3f, sums: WaterDerivatives, sides: vec2f, jacobian: f32) -> vec3f {
   let covariance = water_limit_covariance(undisplaced);
   let shear = -frame.choppiness * sums.shear;
-  let over = 1.0 / max(abs(jacobian), 0.5);
+  let over = 1.0 / max(abs(jacobian), 0.25);
   let map = over * mat2x2f(sides.y, shear.x, shear.y, sides.x);
   let out = map * mat2x2f(covariance.xz, covariance.zy) * transpose(map);
   let sum = out[0].x + out[1].y;

@@ -26,7 +26,7 @@ const WATER_HALVES_FROM = 1.3;
 // Longest part of a footprint that one sample covers, relative to the footprint's width. With it, neighbouring
 // pixels differ about as much as those of a reference of many samples, or less. With shorter samples, the picture would
 // change too fast while one sea turns into another.
-const WATER_LONGEST_SAMPLE = 3.2;
+const WATER_LONGEST_SAMPLE = 5.0;
 
 // Footprint with the longer side `axis`, m, and the shorter one `across`, m, of which each sample covers `sample_m`
 // metres.

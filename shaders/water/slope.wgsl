@@ -197,7 +197,7 @@ fn water_slope_with_carried(
   waves.variance *= (1.0 + bound.x) * (1.0 + bound.x);
   var out = water_displaced_slope(waves);
   if WATER_COAST {
-    // As above: surf does not squeeze the short waves.
+    // Waves of a coast do not squeeze the short waves that ride on them.
     out.variance = mix(out.variance, water_limit_covariance(waves.variance), gains.z);
   }
   out.variance += water_residual_covariance(gust);

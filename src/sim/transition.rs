@@ -11,7 +11,7 @@ use crate::waves::overlap::SeaCovariance;
 use std::f64::consts::FRAC_PI_2;
 
 /// Duration of an interpolation or cross-fade from one sea to another, s of wall time, not of simulated time.
-pub const TRANSITION_DURATION_S: f64 = 0.8;
+pub const TRANSITION_DURATION_S: f64 = 0.85;
 
 /// Kind of transition from one sea to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -101,7 +101,7 @@ enum Profile {
     Thrown,
 }
 
-/// Adds a sheet that leans away from the hull, to a side or astern (0).
+/// Adds a sheet on a side of the hull, -1 or 1, or astern of it, 0.
 fn sheet(corners: &mut Vec<FoamCorner>, crest: &Crest, side: f64, profile: Profile) {
     let mut along_m = 0.0;
     let mut rows = Vec::new();
