@@ -145,7 +145,7 @@ fn a_glide_ends_exactly_on_the_state() {
             window.frame(FRAME_S);
             frames += 1;
         }
-        assert!((45..=FRAMES).contains(&frames), "{sea}: {frames} frames");
+        assert!((48..=FRAMES).contains(&frames), "{sea}: {frames} frames");
         assert_eq!(window.ocean.still_water_level_m(), window.params.sea.still_water_level_m, "{sea}");
         let (got, want) = (window.picture(), still.picture());
         assert!(between != want, "{sea}: it takes its time");

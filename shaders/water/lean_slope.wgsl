@@ -101,12 +101,7 @@ fn lean_slope(at: vec2f, moved: vec3f, foot: LeanFootprint, carried: WaterDeriva
   let over = 1.0 / max(jacobian, 0.25);
   out.mean = water_slope_displaced(sums.slope + water_bound_slope(sums, bound), sums, sides) * over;
   out.mean = clamp(out.mean, vec2f(-1.2), vec2f(1.2));
-  waves.variance *= (1.0 + bound.x) * (1.0 + bound.x);
-  out.variance = water_covariance_displaced(waves.variance, sums, sides, jacobian);
-  if WATER_COAST {
-    out.variance = mix(out.variance, water_limit_covariance(waves.variance), gains.z);
-  }
-  out.variance += water_residual_covariance(gust);
+  out.variance = water_unresolved_variance(waves, jacobian, bound, gains, gust);
   out.jacobian = jacobian;
   return out;
 }

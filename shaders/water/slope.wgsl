@@ -194,20 +194,7 @@ fn water_slope_with_carried(
   let bound = water_bound_factors(moved, gains);
   waves.sums.slope += water_bound_slope(waves.sums, bound);
   waves.half_slope_difference *= 1.0 + bound.x;
-  waves.variance *= (1.0 + bound.x) * (1.0 + bound.x);
   var out = water_displaced_slope(waves);
-  if WATER_COAST {
-    // Waves of a coast do not squeeze the short waves that ride on them.
-    out.variance = mix(out.variance, water_limit_covariance(waves.variance), gains.z);
-  }
-  out.variance += water_residual_covariance(gust);
+  out.variance = water_unresolved_variance(waves, out.jacobian, bound, gains, gust);
   return out;
-}
-
-// Covariance (xx, zz, xz) of the slopes of all waves that are in no map (Cox and Munk 1954).
-fn water_residual_covariance(gust: f32) -> vec3f {
-  if WATER_GUSTS {
-    return gust * frame.residual_slope_covariance;
-  }
-  return frame.residual_slope_covariance;
 }
