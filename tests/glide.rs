@@ -15,8 +15,8 @@ use std::sync::Arc;
 
 const SIZE: [u32; 2] = [96, 64];
 const FRAME_S: f64 = 1.0 / 60.0;
-/// Frames after which a glide of 0.85 s is over.
-const FRAMES: usize = 52;
+/// Frames after which a glide of 0.8 s is over.
+const FRAMES: usize = 49;
 
 /// A window without a window.
 struct Window {
@@ -145,7 +145,7 @@ fn a_glide_ends_exactly_on_the_state() {
             window.frame(FRAME_S);
             frames += 1;
         }
-        assert!((48..=FRAMES).contains(&frames), "{sea}: {frames} frames");
+        assert!((45..=FRAMES).contains(&frames), "{sea}: {frames} frames");
         assert_eq!(window.ocean.still_water_level_m(), window.params.sea.still_water_level_m, "{sea}");
         let (got, want) = (window.picture(), still.picture());
         assert!(between != want, "{sea}: it takes its time");

@@ -69,7 +69,7 @@ pub async fn run(gpu: &Gpu, params: &Params, folder: &Path, raw: bool) -> std::r
             "bound_own": factors(bound.cascades[i].own), "bound_level_m": bound.cascades[i].level_m,
             "bound_with_shorter": factors(bound.cascades[i].with_shorter),
         })).collect::<Vec<_>>(),
-        "bound_elevation_gain": bound.elevation_gain,
+        "bound_elevation_gain": bound.totals.elevation_gain,
         "foam": {
             "file": "foam.exr", "n": foam.cells_per_side, "side_m": foam.cells_per_side as f64 * foam.cell_m,
             "corner_xz_m": foam.north_west_corner_m,

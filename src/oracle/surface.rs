@@ -53,7 +53,7 @@ pub fn bound_height_m(displacements: &[[f64; 3]], bound: &BoundWaves) -> f64 {
     };
     let mut sum = 0.0;
     for (i, (a, waves)) in displacements.iter().zip(&bound.cascades).enumerate() {
-        sum += waves.level_m + bound.elevation_gain * a[1] + 0.5 * product(waves.own, *a, *a);
+        sum += waves.level_m + bound.totals.elevation_gain * a[1] + 0.5 * product(waves.own, *a, *a);
         for b in &displacements[i + 1..] {
             sum += product(waves.with_shorter, *a, *b);
         }

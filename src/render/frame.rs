@@ -90,9 +90,10 @@ gpu_struct! {
         /// Mean densities of air molecules (x) and aerosol (y) on a straight path from the eye down to the sea, relative
         /// to those at the sea.
         pub mean_air_density: [f32; 2],
-        /// Fraction by which bound waves increase the elevation of the waves of first order.
+        /// Fraction by which bound waves increase the elevation of the waves of first order. This and the next two go
+        /// from the old sea's values to the new sea's in a cross-fade.
         pub bound_elevation_gain: f32,
-        /// Sum of `bound_level_m` over the cascades of the current sea, m.
+        /// Sum of `bound_level_m` over the cascades of a sea, m.
         pub bound_level_m: f32,
         /// Factors with which the slope of the bound waves follows from all waves at a point: on the height, and on the
         /// drawn horizontal displacement along x and z, 1/m.
@@ -124,7 +125,7 @@ impl FrameUniform {
     pub fn new(scene: &Scene, maps: &Maps, mesh: &Mesh, size: [u32; 2]) -> Self {
         let (view, look, sea) = (&scene.view, &scene.look, &scene.sea);
         let below_eye = [view.eye.x, view.eye.z];
-        let bound = &maps.bound_waves[1];
+        let bound = maps.bound_wave_totals();
         let n = f64::from(maps.n);
         let (shown, residual) = ripple_layers(scene, maps);
         let ripples =
@@ -164,7 +165,7 @@ impl FrameUniform {
             fading_cascade_count: maps.fading_cascade_count as u32,
             mean_air_density: AIR_SCALE_HEIGHTS_M.map(|scale_m| mean_density_below(view.eye.y, scale_m) as f32),
             bound_elevation_gain: bound.elevation_gain as f32,
-            bound_level_m: bound.cascades.iter().map(|c| c.level_m).sum::<f64>() as f32,
+            bound_level_m: bound.level_m as f32,
             bound_slope_factors: bound_slope_factors(bound.mean, sea.choppiness),
             breaker_direction: packed_direction(sea.downwind),
             water_at_eye: [(-view.eye.y) as f32, 0.0, 0.0],

@@ -6,7 +6,7 @@ use super::transition::{TransitionKind, cross_fade_amplitudes};
 use crate::gpu::layout::gpu_struct;
 use crate::waves::overlap::SeaCovariance;
 use crate::waves::plan::{Cascade, Plan};
-use crate::waves::second_order::{BoundWaves, CascadeBoundWaves};
+use crate::waves::second_order::{BoundWaveTotals, BoundWaves, CascadeBoundWaves};
 use crate::waves::tiling::{SHIFT_STEPS_PER_PATCH_SIDE, Tiling, TriangleLatticePosition};
 use std::f64::consts::TAU;
 
@@ -79,6 +79,8 @@ pub struct Maps {
     pub fading_cascade_count: usize,
     /// Bound waves of the second order of the sea that fades out in a cross-fade, and of the current sea.
     pub bound_waves: [BoundWaves; 2],
+    /// The current sea's fraction of the sum of both elevation variances in a cross-fade, 0 to 1; 1 without a cross-fade.
+    pub new_sea_weight: f64,
     /// Cell sizes and positions of the foam levels, finest level first.
     pub foam_levels: Vec<FoamLevel>,
     /// Number of cells along a side of a foam level (one of the nested square foam grids).
@@ -175,6 +177,7 @@ impl Maps {
             no_coast: resources.placeholder.clone(),
             fading_cascade_count: 0,
             bound_waves: [BoundWaves::default(), plan.bound_waves()],
+            new_sea_weight: 1.0,
             foam_levels: Vec::new(),
             foam_cells_per_side: resources.foam_n,
             n: resources.n,
@@ -211,6 +214,12 @@ impl Maps {
         [of_sea(0, fading), of_sea(1, own)].concat().into_iter()
     }
 
+    /// Bound waves of the drawn sea as a whole: in a cross-fade they go from those of the old sea to those of the new one.
+    pub fn bound_wave_totals(&self) -> BoundWaveTotals {
+        let [old, new] = &self.bound_waves;
+        old.totals.moved_towards(&new.totals, self.new_sea_weight)
+    }
+
     /// The ordinary cascades of the current sea, in the order of its plan.
     pub fn current_ordinary_cascades(&self) -> impl Iterator<Item = &MapCascade> {
         MapCascade::ordinary(self.current_cascades())
@@ -229,7 +238,7 @@ impl Maps {
             TransitionKind::Foam | TransitionKind::Surface => return,
             TransitionKind::Immediate => {
                 self.cascades.clear();
-                self.fading_cascade_count = 0;
+                (self.fading_cascade_count, self.new_sea_weight) = (0, 1.0);
                 self.bound_waves[1] = plan.bound_waves();
             }
             TransitionKind::Amplitudes => self.cascades.truncate(self.fading_cascade_count),
@@ -245,9 +254,9 @@ impl Maps {
     }
 
     /// Sets amplitude factor and variance correction of each drawn cascade in a cross-fade. `overlaps` has an entry per
-    /// ordinary cascade, the covariance of both seas, which holds for the layers of a coast before it, too;
-    /// `new_sea_weight` is the new sea's fraction of the sum of both elevation variances.
+    /// ordinary cascade, the covariance of both seas, which holds for the layers of a coast before it, too.
     pub(super) fn set_cross_fade_weights(&mut self, overlaps: &[SeaCovariance], new_sea_weight: f64) {
+        self.new_sea_weight = new_sea_weight;
         let fading = self.fading_cascade_count;
         let mut ordinary = 0;
         for (i, cascade) in self.cascades.iter_mut().enumerate() {
@@ -262,14 +271,14 @@ impl Maps {
     /// Ends a cross-fade: removes the entries of the old sea from `cascades`.
     pub(super) fn end_cross_fade(&mut self) {
         self.cascades.drain(..self.fading_cascade_count);
-        self.fading_cascade_count = 0;
+        (self.fading_cascade_count, self.new_sea_weight) = (0, 1.0);
     }
 
     /// Draws the current sea alone, with or without the layers of a coast, after a coast has come or gone.
     pub(super) fn set_coast(&mut self, plan: &Plan, resources: &Resources) {
         self.coast =
             resources.coast.as_ref().map(|coast| MapCoast { gains: coast.gains.clone(), square: coast.square });
-        self.fading_cascade_count = 0;
+        (self.fading_cascade_count, self.new_sea_weight) = (0, 1.0);
         self.cascades = MapCascade::all_of_plan(plan, resources, self.coast.is_some());
         self.recreate_views(resources);
     }

@@ -11,7 +11,7 @@ use crate::waves::overlap::SeaCovariance;
 use std::f64::consts::FRAC_PI_2;
 
 /// Duration of an interpolation or cross-fade from one sea to another, s of wall time, not of simulated time.
-pub const TRANSITION_DURATION_S: f64 = 0.85;
+pub const TRANSITION_DURATION_S: f64 = 0.8;
 
 /// Kind of transition from one sea to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -230,8 +230,8 @@ mod tests {
             let now = drawn.cross_faded_value(transition.cross_fade_weight());
             assert!(now >= before && now - before < 0.11, "{i}: {before} to {now}");
             before = now;
-            // The transition ends 0.85 s after the last change: after 51 frames, or one more by rounding.
-            assert!(transition.is_running() == (i < 79) || i == 79, "{i}");
+            // The transition ends 0.8 s after the last change, not earlier: after 48 frames, or one more by rounding.
+            assert!(transition.is_running() == (i < 76) || i == 76, "{i}");
         }
         assert_eq!(drawn.cross_faded_value(1.0), 2.1 + 0.1 * 29.0);
     }

@@ -95,12 +95,21 @@ pub struct CascadeBoundWaves {
 pub struct BoundWaves {
     /// One entry for each cascade, in the order of the plan.
     pub cascades: Vec<CascadeBoundWaves>,
+    /// All cascades together.
+    pub totals: BoundWaveTotals,
+}
+
+/// Bound waves of all cascades together.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BoundWaveTotals {
     /// Fraction by which the elevation of the linear waves is increased, so that the bound waves leave the significant
     /// wave height of the displaced surface as it is.
     pub elevation_gain: f64,
     /// The best single factors for the whole sea: those with which the gradient of the bound waves' height follows from
     /// the sums of elevation, displacement and their gradients over all cascades. 1/m.
     pub mean: ProductFactors,
+    /// Sum of [`CascadeBoundWaves::level_m`] over all cascades, m.
+    pub level_m: f64,
 }
 
 /// Coefficients of the bound waves of a sea, whatever its choppiness; part of its plan.
@@ -158,7 +167,7 @@ struct Node {
 impl ProductFactors {
     /// These factors, moved by `fraction` of the way (0 to 1) towards `to`.
     fn moved_towards(self, to: Self, fraction: f64) -> Self {
-        let moved = |a: f64, b: f64| a + fraction * (b - a);
+        let moved = |a: f64, b: f64| mixed(a, b, fraction);
         Self { elevation: moved(self.elevation, to.elevation), displacement: moved(self.displacement, to.displacement) }
     }
 }
@@ -168,18 +177,33 @@ impl CascadeBoundWaves {
         Self {
             own: self.own.moved_towards(to.own, fraction),
             with_shorter: self.with_shorter.moved_towards(to.with_shorter, fraction),
-            level_m: self.level_m + fraction * (to.level_m - self.level_m),
+            level_m: mixed(self.level_m, to.level_m, fraction),
         }
     }
+}
+
+/// The number at `fraction` (0 to 1) of the way from `from` to `to`, exact at both ends.
+fn mixed(from: f64, to: f64, fraction: f64) -> f64 {
+    (1.0 - fraction) * from + fraction * to
 }
 
 impl BoundWaves {
     /// Moves these bound waves by `fraction` of the way (0 to 1) towards `to`, of as many cascades.
     pub fn move_towards(&mut self, to: &Self, fraction: f64) {
-        self.mean = self.mean.moved_towards(to.mean, fraction);
-        self.elevation_gain += fraction * (to.elevation_gain - self.elevation_gain);
+        self.totals = self.totals.moved_towards(&to.totals, fraction);
         for (cascade, to) in self.cascades.iter_mut().zip(&to.cascades) {
             *cascade = cascade.moved_towards(to, fraction);
+        }
+    }
+}
+
+impl BoundWaveTotals {
+    /// These numbers, moved by `fraction` of the way (0 to 1) towards `to`.
+    pub fn moved_towards(&self, to: &Self, fraction: f64) -> Self {
+        Self {
+            mean: self.mean.moved_towards(to.mean, fraction),
+            elevation_gain: mixed(self.elevation_gain, to.elevation_gain, fraction),
+            level_m: mixed(self.level_m, to.level_m, fraction),
         }
     }
 }
@@ -270,7 +294,9 @@ impl BoundWaveFit {
         };
         let strained = self.cascades.iter().map(of_own).sum::<f64>() + self.pairs().map(of_pair).sum::<f64>();
         let elevation_gain = (strained - 0.5 * self.bound_variance_m2()) / sums[0].max(f64::MIN_POSITIVE);
-        BoundWaves { cascades: self.cascades.iter().map(cascade).collect(), elevation_gain, mean }
+        let cascades: Vec<_> = self.cascades.iter().map(cascade).collect();
+        let level_m = cascades.iter().map(|cascade| cascade.level_m).sum();
+        BoundWaves { cascades, totals: BoundWaveTotals { elevation_gain, mean, level_m } }
     }
 }
 

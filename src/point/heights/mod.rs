@@ -181,7 +181,7 @@ impl StrongestWaves {
             longest_step_m: 2.0 * sqrt_chop[0].max(sqrt_chop[1]) * displacement_m2.sum::<f64>().sqrt(),
             patches,
             coast: None,
-            elevation_gain: bound_waves.elevation_gain,
+            elevation_gain: bound_waves.totals.elevation_gain,
             wave_count: count,
             sqrt_chop,
             still_water_level_m: plan.sea.still_water_level_m,
