@@ -122,13 +122,14 @@ fn wet_sand_follows_the_drawn_run_up() {
 #[test]
 fn a_wave_leaves_a_film_on_sand_that_drains_with_its_foam() {
     let text = "fn answer(q: Question) -> Answer {
-        return Answer(vec4f(swash_film(q[0].x, q[0].y, q[0].z, q[1].x, q[0].w), 0.0, 0.0, 0.0));
+        return Answer(vec4f(swash_film(q[0].x, q[0].y, q[0].z, q[1].x, q[0].w), 0.0, 0.0));
     }";
     let kernel = wgsl::Kernel::<2, 1>::new(&common::gpu(), &shaders(), "land/light", text);
     // Cover of the foam, height of the place, m, slope of the land, and noise of the lobes. The run-up is 1.2 m.
-    let bent = |cover: f32, height: f32, steep: f32, bend: f32| {
-        kernel.ask(&[[[cover, height, 1.2, steep], [bend, 0.0, 0.0, 0.0]]])[0][0][0]
+    let sheet = |cover: f32, height: f32, steep: f32, bend: f32| {
+        kernel.ask(&[[[cover, height, 1.2, steep], [bend, 0.0, 0.0, 0.0]]])[0][0]
     };
+    let bent = |cover, height, steep, bend| sheet(cover, height, steep, bend)[0];
     let film = |cover, height, steep| bent(cover, height, steep, 0.0);
     let drains: Vec<f64> = [0.6, 0.35, 0.15, 0.02].map(|cover| film(cover, 0.5, 0.05)).to_vec();
     assert_eq!((drains[0], drains[3]), (1.0, 0.0));
@@ -136,6 +137,11 @@ fn a_wave_leaves_a_film_on_sand_that_drains_with_its_foam() {
     assert_eq!([film(0.6, 1.2, 0.05), film(0.6, 0.5, 0.6)], [0.0; 2], "above the run-up, and on rock");
     assert!(film(0.6, 0.8, 0.05) > 0.0);
     assert!(bent(0.6, 1.2, 0.05, -3.0) < 1e-5, "no lobe reaches beyond the run-up");
+    // A narrow lip of foam lies along the upper edge, where the film has passed.
+    let lip = |cover, height| sheet(cover, height, 0.05, 0.0)[1];
+    let edge: Vec<f64> = (0..60).map(|i| lip(0.6, 0.9 + 0.002 * i as f32)).collect();
+    assert!(edge.iter().any(|x| *x > 0.8), "{edge:?}");
+    assert_eq!([lip(0.6, 0.5), lip(0.6, 1.2), lip(0.02, 0.965)], [0.0; 3]);
 }
 
 /// Height, m, of the ridge of [`ridge`], and its distance from the sea's edge of the coast.

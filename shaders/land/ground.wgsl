@@ -18,7 +18,7 @@ fn land_mix(a: LandGround, b: LandGround, share: f32) -> LandGround {
 }
 
 // Share of a film of water in the look of sand that the last waves have left.
-const LAND_SHEEN = 0.3;
+const LAND_SHEEN = 0.4;
 // Side of the tile of the grain of sand, m, and the width of a pixel, m, from which it is not seen.
 const LAND_GRAIN_M = 0.83;
 const LAND_GRAIN_SEEN_M = 0.02;
@@ -26,6 +26,11 @@ const LAND_GRAIN_SEEN_M = 0.02;
 // Height above one and a half run-ups, m, from which sand is dry: the edges of damp sand and of the film of water end
 // lower, with all of their lobes.
 const LAND_DRY_FROM_M = 0.4;
+
+// Heights of the dents in trodden sand, m for each deviation of the fractal noise and of that of blocks, which become pits;
+// and the step over which their slope is taken, m.
+const LAND_TRODDEN_M = vec2f(0.007, -0.007);
+const LAND_TRODDEN_STEP_M = 0.04;
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
 fn land_sand(
@@ -39,12 +44,12 @@ fn land_sand(
     let tongues = swash_tongues(place, size);
     wet = land_wetness(height, 0.5 * tongues.z + 0.12 * fine.w, run_up + 0.04);
     // The last waves have left it darker, up to a line of lobes.
-    fresh = land_wetness(height, 0.6 * tongues.w + 0.1 * middle.z, 0.72 * run_up + 0.02);
+    fresh = land_wetness(height, 0.6 * tongues.w + 0.1 * middle.z, 0.9 * run_up + 0.02);
     // The film drains through the sand: its edge has tongues, which are smaller where the sea is calm.
     let lively = 0.1 + 0.9 * min(run_up, 1.0);
     let over = height - LAND_FILM_SHARE * run_up;
-    let lobes = lively * (0.08 * tongues.z + 0.05 * tongues.w + 0.012 * fine.z);
-    film = 1.0 - maths_smooth((over + lobes) * 11.0 / lively + 0.5);
+    let lobes = lively * (0.08 * tongues.z + 0.05 * tongues.w + 0.014 * fine.z + 0.008 * fine.w);
+    film = 1.0 - maths_smooth((over + lobes) * 30.0 / lively + 0.5);
   }
   // Wind ripples on dry sand, in places; footless sand below the run-up is smooth.
   let rippled = saturate(0.35 + 0.5 * wide.z + 0.3 * middle.z) * (1.0 - wet);
@@ -60,12 +65,20 @@ fn land_sand(
   }
   if wet > 0.0 {
     out.albedo *= mix(vec3f(1.0), LAND_DAMP, 0.75 * wet + 0.25 * fresh);
-    out.albedo *= 1.0 - 0.45 * wet * land_swash_marks(height, run_up, middle, fine, size);
+    if size < LAND_MARKS_SEEN_M {
+      out.albedo *= 1.0 - 0.45 * wet * land_swash_marks(height, run_up, middle, fine, size);
+    }
   }
-  // Dry sand is trodden and blown; water smooths it, but leaves some ripples. Far away the pattern would repeat.
-  let trodden = (0.006 + 0.034 * (1.0 - wet)) * saturate(0.7 + 0.4 * middle.w) * saturate(1.2 - 5.0 * size);
   let left = saturate(0.6 * middle.w - 0.2 * middle.z - 0.25) * wet;
-  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0) + (trodden * fine.z) * vec2f(0.8, -0.6);
+  out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0);
+  // Dry sand is trodden. Far away the pattern would repeat.
+  let trodden = (1.0 - wet) * saturate(1.2 - 6.0 * size);
+  if trodden > 0.0 {
+    // Only the slope towards the sun decides how bright the sand is.
+    let step_m = max(LAND_TRODDEN_STEP_M, size);
+    let sunward = land_noise(land_turned(place + step_m * land.toward_sun), LAND_FINE_M, size);
+    out.relief += (trodden / step_m) * dot(LAND_TRODDEN_M, sunward.zw - fine.zw) * land.toward_sun;
+  }
   // Sand that is full of water shines a little.
   out.film = max(film, LAND_SHEEN * fresh * fresh);
   return out;
@@ -75,12 +88,6 @@ fn land_sand(
 fn land_marram_share(height: f32, middle: vec4f, fine: vec4f, wide: vec4f) -> f32 {
   let cover = saturate(0.36 * (height - LAND_GRASS_M + 0.45 * middle.z + 0.5 * wide.z));
   return maths_smooth(1.6 * (0.62 * middle.w + 0.78 * fine.z) - 1.2 + 3.2 * cover) * saturate(1.5 * cover);
-}
-
-// Unit vector towards the sun, in the frame of the coast.
-fn land_toward_sun() -> vec2f {
-  let across = frame.sun_direction.xz;
-  return land_from_world(across) * inverseSqrt(max(dot(across, across), 1e-6));
 }
 
 // Plants on sand and soil: tufts of marram on the dunes, heath, turf and scrub behind them. `ground` is what they grow
@@ -95,7 +102,7 @@ fn land_plants(
     let region = land_noise(land_turned(place), LAND_REGION_M, size);
     let soil = mix(LAND_HEATH, LAND_TURF, saturate(0.5 + 0.45 * wide.w + 0.3 * region.w + 0.35 * middle.z));
     // Round crowns and tussocks, bright towards the sun and dark between each other.
-    let sunward = land_noise((place + 0.7 * land_toward_sun()).yx, LAND_MIDDLE_M, size);
+    let sunward = land_noise((place + 0.7 * land.toward_sun).yx, LAND_MIDDLE_M, size);
     let bright = middle.zw - sunward.zw;
     let tussocks = 1.0 + 0.24 * fine.z + 0.1 * fine.w + 0.22 * middle.w + 0.45 * bright.x + 0.35 * bright.y;
     green = mix(green, soil * max(tussocks, 0.25), back);
@@ -141,7 +148,7 @@ const LAND_STRATUM_RELIEF = -0.9;
 fn land_rock(
   place: vec2f, height: f32, run_up: f32, slope: vec2f, around: vec4f, size: f32, middle: vec4f, wide: vec4f,
 ) -> LandGround {
-  let toward = land_toward_sun();
+  let toward = land.toward_sun;
   let layer = land_layer(place, height, wide.z);
   let beds = land_noise(vec2f(LAND_BEDS_STRETCH * (place.x - place.y), layer), LAND_BEDS_M, 0.4 * size);
   // The pattern of a face is seen from the side and above. Where the land turns a corner, another face begins.

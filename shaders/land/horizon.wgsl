@@ -24,6 +24,9 @@ fn land_horizon(place: vec2f, height: f32, toward: vec2f, rise: f32, aim: f32) -
   let part_m = reach_m * (1.0 / f32(LAND_RAY_STEPS * LAND_RAY_STEPS));
   let start = place * land.uv_per_m + land.uv_start;
   let along = toward * land.uv_per_m;
+  let longer_m = 2.0 * part_m;
+  // Texels are as wide as a quarter of a step.
+  let lod_from_step = land.log_texels_per_m - 2.0;
   var far_m = 0.0;
   var step_m = part_m;
   var before = 0.0;
@@ -31,8 +34,7 @@ fn land_horizon(place: vec2f, height: f32, toward: vec2f, rise: f32, aim: f32) -
   var out = LandHorizon(0.0, 1.0);
   for (var i = 0; i < LAND_RAY_STEPS; i++) {
     far_m += step_m;
-    // Texels are as wide as a quarter of a step.
-    let lod = max(log2(0.25 * step_m) + land.log_texels_per_m, 0.0);
+    let lod = max(log2(step_m) + lod_from_step, 0.0);
     let ground = textureSampleLevel(land_map, noise_sampler, saturate(start + along * far_m), lod).x;
     let after = max(ground - height, 0.0) / far_m;
     // A peak between three steps is that of a parabola.
@@ -44,7 +46,7 @@ fn land_horizon(place: vec2f, height: f32, toward: vec2f, rise: f32, aim: f32) -
     }
     before = here;
     here = after;
-    step_m += 2.0 * part_m;
+    step_m += longer_m;
   }
   return out;
 }

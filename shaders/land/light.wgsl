@@ -178,13 +178,16 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   var radiance = ground.albedo * (sunlight * cosine + sky_light) / ATM_PI;
   var film = ground.film;
   var swept = 0.0;
+  var lip = 0.0;
   if film > 0.0 || (shown.y == 0.0 && height < run_up) {
     swept = swash_cover(position.xz, size);
     if swept > SWASH_SWEPT.x && shown.y == 0.0 {
       let bend = swash_tongues(place, size);
       // Level rock keeps as little of a film as steep rock.
       let steep_or_rock = max(length(slope), land_level_rock(around, height));
-      film = max(film, swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, steep_or_rock));
+      let sheet = swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, steep_or_rock);
+      film = max(film, sheet.x);
+      lip = sheet.y;
     }
   }
   if film > 0.0 {
@@ -199,7 +202,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     // Sand that is not yet damp is no brighter under water than that of the bed.
     let wet = min(ground.albedo / (LAND_DRY * LAND_DAMP), material.bed_colour) * entering / ATM_PI;
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, film * lies);
-    let foam = swash_foam(position.xz, size, film * lies * SWASH_LEFT * swept, dir);
+    let foam = swash_foam(position.xz, size, lies * max(film * SWASH_LEFT * swept, 0.7 * lip), dir);
     // Wet bubbles mirror the sky as the film between them does.
     let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + FOAM_SHORE_SHEEN * radiance;
     radiance = mix(foam.beside * radiance, white, foam.opacity);

@@ -21,6 +21,8 @@ fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
 
 // Distance between the marks of two waves, relative to 0.4 m more than the height of the run-up.
 const LAND_MARKS_SHARE = 0.12;
+// Width of a pixel, m, from which these marks are not seen: it averages them to less than 0.04.
+const LAND_MARKS_SEEN_M = 0.5;
 
 // Darkness of the thin arcs of grains and scraps that single waves have left at their highest line. Those of two tides
 // cross.
@@ -35,9 +37,9 @@ fn land_swash_marks(height: f32, run_up: f32, middle: vec4f, fine: vec4f, size: 
 
 // Softness of the edges of the film of foam (x), deviations of its pattern, and of the body that lies on its thickest
 // parts (y), how much more the pattern must rise for the body, and the opacity of both.
-const SWASH_SOFTNESS = vec2f(0.4, 0.25);
+const SWASH_SOFTNESS = vec2f(0.22, 0.14);
 const SWASH_SHIFT = vec2f(0.15, -0.35);
-const SWASH_OPACITY = vec2f(0.20, 0.66);
+const SWASH_OPACITY = vec2f(0.10, 0.72);
 // Weights of patches of metres, strands of decimetres and threads of centimetres in the pattern. Their squares add up
 // to 1.
 const SWASH_WEIGHTS = vec3f(0.5, 0.77, 0.396);
@@ -71,16 +73,21 @@ fn swash_tongues(place: vec2f, size: f32) -> vec4f {
 // the film covers all sand.
 const SWASH_SWEPT = vec2f(0.03, 0.45);
 // Heights, relative to the run-up, between which that film ends, and how far a normal noise moves this line.
-const SWASH_SWEPT_HEIGHTS = vec2f(0.77, 0.83);
+const SWASH_SWEPT_HEIGHTS = vec2f(0.785, 0.815);
 const SWASH_SWEPT_LOBES = 0.06;
 
-// Share of the ground that is under the film of the last waves that have passed, where their foam covers the part `cover`.
-// It drains as the foam dissolves. `bend` is normal noise, and `steep` the slope of the land: rock keeps no such film.
-fn swash_film(cover: f32, height: f32, run_up: f32, bend: f32, steep: f32) -> f32 {
+// Share of the film at which its lip of foam is thickest, and the reciprocal of half the range of shares that it covers.
+const SWASH_LIP = vec2f(0.2, 6.0);
+
+// Share of the ground that is under the film of the last waves that have passed (x), where their foam covers the part
+// `cover`, and how far the point is in the lip of foam along the film's upper edge (y). The film drains as the foam
+// dissolves. `bend` is normal noise, and `steep` the slope of the land: rock keeps no such film.
+fn swash_film(cover: f32, height: f32, run_up: f32, bend: f32, steep: f32) -> vec2f {
   // No lobe goes beyond the run-up, where nothing of this is computed.
   let lobe = max(SWASH_SWEPT_LOBES * bend, SWASH_SWEPT_HEIGHTS.y - 1.0);
   let below = 1.0 - maths_rise(height / max(run_up, 0.05) + lobe, SWASH_SWEPT_HEIGHTS);
-  return below * maths_rise(cover, SWASH_SWEPT) * land_film_share(steep);
+  let left = maths_rise(cover, SWASH_SWEPT) * land_film_share(steep);
+  return left * vec2f(below, saturate(1.0 - SWASH_LIP.y * abs(below - SWASH_LIP.x)));
 }
 
 // Part of the foam of a wave that stays on the film.

@@ -6,6 +6,7 @@ use crate::coast::runup::RunUp;
 use crate::gpu::Gpu;
 use crate::gpu::layout::gpu_struct;
 use crate::render::scene::Scene;
+use glam::DVec2;
 use half::f16;
 
 /// Half floats: height, m, slopes along x and y of the coast's frame, and kind ([`super::relief::RUBBLE`]).
@@ -25,13 +26,15 @@ gpu_struct! {
         uv_start: [f32; 2],
         /// Lengths of the coast's rectangle along x and y, m.
         side_m: [f32; 2],
+        /// Horizontal unit vector towards the sun, in the frame of the coast.
+        toward_sun: [f32; 2],
         /// Binary logarithm of the number of texels per metre.
         log_texels_per_m: f32,
         /// Height above the still water that the highest waves reach on open beaches, m.
         run_up_m: f32,
         /// 1 if the waves at the coast are drawn: their run-up at each place is in the map of gains. Else 0.
         has_waves: f32,
-        unused: [u32; 3],
+        unused: u32,
     }
 }
 
@@ -41,6 +44,8 @@ impl LandUniform {
         let placement = coast.placement();
         let (sin, cos) = placement.turn_rad.sin_cos();
         let steps = coast.side_m().map(|side_m| side_m / (INNER - 1) as f64);
+        let [x, _, z] = scene.look.sky.sun_direction();
+        let toward_sun = DVec2::new(cos * x + sin * z, cos * z - sin * x).normalize_or(DVec2::X);
         let run_up = RunUp::new(scene.sea.hs_m, scene.sea.peak_wavelength_m, FORESHORE_SLOPE);
         Self {
             shoreward: [cos as f32, sin as f32],
@@ -48,10 +53,11 @@ impl LandUniform {
             uv_per_m: steps.map(|step_m| (1.0 / (step_m * INNER as f64)) as f32),
             uv_start: [(0.5 / INNER as f64) as f32; 2],
             side_m: coast.side_m().map(|side_m| side_m as f32),
+            toward_sun: toward_sun.as_vec2().to_array(),
             log_texels_per_m: (-0.5 * (steps[0] * steps[1]).log2()) as f32,
             run_up_m: run_up.two_percent_m as f32,
             has_waves: f32::from(u8::from(scene.has_coast)),
-            unused: [0; 3],
+            unused: 0,
         }
     }
 }
