@@ -12,7 +12,7 @@ const LAND_FILM_ROUGHNESS = 0.055;
 const LAND_FILM_TILT = 0.5;
 // Standard deviation of the slope by which a film of water wavers, and the side of the tile of its noise, m. This slope
 // frays the edges of what the film mirrors.
-const LAND_FILM_WAVER = 0.02;
+const LAND_FILM_WAVER = 0.01;
 const LAND_FILM_WAVER_M = 3.7;
 
 // Share of a film of water that ground of the slope `steep` keeps: all of it lies on sand, none on rock.

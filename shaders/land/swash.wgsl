@@ -39,7 +39,7 @@ fn land_swash_marks(height: f32, run_up: f32, middle: vec4f, fine: vec4f, size: 
 // parts (y), how much more the pattern must rise for the body, and the opacity of both.
 const SWASH_SOFTNESS = vec2f(0.22, 0.14);
 const SWASH_SHIFT = vec2f(0.15, -0.35);
-const SWASH_OPACITY = vec2f(0.10, 0.72);
+const SWASH_OPACITY = vec2f(0.04, 0.86);
 // Weights of patches of metres, strands of decimetres and threads of centimetres in the pattern. Their squares add up
 // to 1.
 const SWASH_WEIGHTS = vec3f(0.5, 0.77, 0.396);
