@@ -44,7 +44,7 @@ fn land_sand(
     let tongues = swash_tongues(place, size);
     wet = land_wetness(height, 0.5 * tongues.z + 0.12 * fine.w, run_up + 0.04);
     // The last waves have left it darker, up to a line of lobes.
-    fresh = land_wetness(height, 0.6 * tongues.w + 0.1 * middle.z, 0.9 * run_up + 0.02);
+    fresh = min(wet, land_wetness(height, 0.6 * tongues.w + 0.1 * middle.z, 0.9 * run_up + 0.02));
     // The film drains through the sand: its edge has tongues, which are smaller where the sea is calm.
     let lively = 0.1 + 0.9 * min(run_up, 1.0);
     let over = height - LAND_FILM_SHARE * run_up;
@@ -79,7 +79,7 @@ fn land_sand(
     let sunward = land_noise(land_turned(place + step_m * land.toward_sun), LAND_FINE_M, size);
     out.relief += (trodden / step_m) * dot(LAND_TRODDEN_M, sunward.zw - fine.zw) * land.toward_sun;
   }
-  // Sand that is full of water shines a little.
+  // Sand that is full of water shines, too.
   out.film = max(film, LAND_SHEEN * fresh * fresh);
   return out;
 }

@@ -177,6 +177,8 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let cosine = max(to_sun, select(0.0, -COVER_BLADE_THROUGH * to_sun, shown.y < 0.0));
   var radiance = ground.albedo * (sunlight * cosine + sky_light) / ATM_PI;
   var film = ground.film;
+  // The shine of damp sand bears no foam.
+  var foamy_film = saturate((film - LAND_SHEEN) / (1.0 - LAND_SHEEN));
   var swept = 0.0;
   var lip = 0.0;
   if film > 0.0 || (shown.y == 0.0 && height < run_up) {
@@ -187,6 +189,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
       let steep_or_rock = max(length(slope), land_level_rock(around, height));
       let sheet = swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, steep_or_rock);
       film = max(film, sheet.x);
+      foamy_film = max(foamy_film, sheet.x);
       lip = sheet.y;
     }
   }
@@ -202,7 +205,7 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     // Sand that is not yet damp is no brighter under water than that of the bed.
     let wet = min(ground.albedo / (LAND_DRY * LAND_DAMP), material.bed_colour) * entering / ATM_PI;
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, film * lies);
-    let foam = swash_foam(position.xz, size, lies * max(film * SWASH_LEFT * swept, 0.7 * lip), dir);
+    let foam = swash_foam(position.xz, size, lies * max(foamy_film * SWASH_LEFT * swept, SWASH_LIP_COVER * lip), dir);
     // Wet bubbles mirror the sky as the film between them does.
     let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + FOAM_SHORE_SHEEN * radiance;
     radiance = mix(foam.beside * radiance, white, foam.opacity);

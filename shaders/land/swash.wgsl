@@ -21,7 +21,7 @@ fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
 
 // Distance between the marks of two waves, relative to 0.4 m more than the height of the run-up.
 const LAND_MARKS_SHARE = 0.12;
-// Width of a pixel, m, from which these marks are not seen: it averages them to less than 0.04.
+// Width of a pixel, m, from which these marks are left out: it averages them to a few per cent of darkness.
 const LAND_MARKS_SEEN_M = 0.5;
 
 // Darkness of the thin arcs of grains and scraps that single waves have left at their highest line. Those of two tides
@@ -78,6 +78,8 @@ const SWASH_SWEPT_LOBES = 0.06;
 
 // Share of the film at which its lip of foam is thickest, and the reciprocal of half the range of shares that it covers.
 const SWASH_LIP = vec2f(0.2, 6.0);
+// Part of the ground that the foam of the lip covers.
+const SWASH_LIP_COVER = 0.7;
 
 // Share of the ground that is under the film of the last waves that have passed (x), where their foam covers the part
 // `cover`, and how far the point is in the lip of foam along the film's upper edge (y). The film drains as the foam

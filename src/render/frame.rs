@@ -90,10 +90,10 @@ gpu_struct! {
         /// Mean densities of air molecules (x) and aerosol (y) on a straight path from the eye down to the sea, relative
         /// to those at the sea.
         pub mean_air_density: [f32; 2],
-        /// Fraction by which bound waves increase the elevation of the waves of first order. This and the next two go
-        /// from the old sea's values to the new sea's in a cross-fade.
+        /// Fraction by which bound waves increase the elevation of the waves of first order. In a cross-fade, it and the
+        /// slope factors go from the values of the old sea to those of the new one.
         pub bound_elevation_gain: f32,
-        /// Sum of `bound_level_m` over the cascades of a sea, m.
+        /// Sum of `bound_level_m` over all drawn cascades, m.
         pub bound_level_m: f32,
         /// Factors with which the slope of the bound waves follows from all waves at a point: on the height, and on the
         /// drawn horizontal displacement along x and z, 1/m.
@@ -130,9 +130,10 @@ impl FrameUniform {
         let (shown, residual) = ripple_layers(scene, maps);
         let ripples =
             shown.iter().map(|(cascade, fraction)| FrameCascade::new_ripples(cascade, *fraction, below_eye, n));
-        let cascades = maps.cascades.iter().zip(maps.bound_waves_of_cascades()).map(|(cascade, bound)| {
+        let drawn = maps.cascades.iter().zip(maps.bound_waves_of_cascades()).map(|(cascade, bound)| {
             FrameCascade::new(cascade, below_eye, n).with_bound_waves(&bound, cascade.cross_fade_amplitude_factor)
         });
+        let cascades: Vec<FrameCascade> = drawn.collect();
         let levels =
             maps.foam_levels.iter().map(|level| FrameFoamGrid::new(level, below_eye, maps.foam_cells_per_side));
         let [tx, ty] = view.tan_half_fov;
@@ -165,7 +166,7 @@ impl FrameUniform {
             fading_cascade_count: maps.fading_cascade_count as u32,
             mean_air_density: AIR_SCALE_HEIGHTS_M.map(|scale_m| mean_density_below(view.eye.y, scale_m) as f32),
             bound_elevation_gain: bound.elevation_gain as f32,
-            bound_level_m: bound.level_m as f32,
+            bound_level_m: cascades.iter().map(|cascade| cascade.bound_level_m).sum(),
             bound_slope_factors: bound_slope_factors(bound.mean, sea.choppiness),
             breaker_direction: packed_direction(sea.downwind),
             water_at_eye: [(-view.eye.y) as f32, 0.0, 0.0],
@@ -176,7 +177,7 @@ impl FrameUniform {
             coast_inverse_side: maps.coast.as_ref().map_or(0.0, |coast| coast.square.side_m.recip() as f32),
             breaker_level_count: breaker_level_count(maps),
             mesh_lattice: mesh.lattice,
-            cascades: padded_array(cascades.chain(ripples)),
+            cascades: padded_array(cascades.into_iter().chain(ripples)),
             foam_levels: padded_array(levels),
         }
     }

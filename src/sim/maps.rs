@@ -79,8 +79,8 @@ pub struct Maps {
     pub fading_cascade_count: usize,
     /// Bound waves of the second order of the sea that fades out in a cross-fade, and of the current sea.
     pub bound_waves: [BoundWaves; 2],
-    /// The current sea's fraction of the sum of both elevation variances in a cross-fade, 0 to 1; 1 without a cross-fade.
-    pub new_sea_weight: f64,
+    /// The current sea's fraction of the sum of both elevation variances, 0 to 1, while a cross-fade runs.
+    new_sea_weight: f64,
     /// Cell sizes and positions of the foam levels, finest level first.
     pub foam_levels: Vec<FoamLevel>,
     /// Number of cells along a side of a foam level (one of the nested square foam grids).
@@ -217,6 +217,9 @@ impl Maps {
     /// Bound waves of the drawn sea as a whole: in a cross-fade they go from those of the old sea to those of the new one.
     pub fn bound_wave_totals(&self) -> BoundWaveTotals {
         let [old, new] = &self.bound_waves;
+        if self.fading_cascade_count == 0 {
+            return new.totals;
+        }
         old.totals.moved_towards(&new.totals, self.new_sea_weight)
     }
 
@@ -238,7 +241,7 @@ impl Maps {
             TransitionKind::Foam | TransitionKind::Surface => return,
             TransitionKind::Immediate => {
                 self.cascades.clear();
-                (self.fading_cascade_count, self.new_sea_weight) = (0, 1.0);
+                self.fading_cascade_count = 0;
                 self.bound_waves[1] = plan.bound_waves();
             }
             TransitionKind::Amplitudes => self.cascades.truncate(self.fading_cascade_count),
@@ -271,14 +274,14 @@ impl Maps {
     /// Ends a cross-fade: removes the entries of the old sea from `cascades`.
     pub(super) fn end_cross_fade(&mut self) {
         self.cascades.drain(..self.fading_cascade_count);
-        (self.fading_cascade_count, self.new_sea_weight) = (0, 1.0);
+        self.fading_cascade_count = 0;
     }
 
     /// Draws the current sea alone, with or without the layers of a coast, after a coast has come or gone.
     pub(super) fn set_coast(&mut self, plan: &Plan, resources: &Resources) {
         self.coast =
             resources.coast.as_ref().map(|coast| MapCoast { gains: coast.gains.clone(), square: coast.square });
-        (self.fading_cascade_count, self.new_sea_weight) = (0, 1.0);
+        self.fading_cascade_count = 0;
         self.cascades = MapCascade::all_of_plan(plan, resources, self.coast.is_some());
         self.recreate_views(resources);
     }

@@ -102,14 +102,11 @@ pub struct BoundWaves {
 /// Bound waves of all cascades together.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BoundWaveTotals {
-    /// Fraction by which the elevation of the linear waves is increased, so that the bound waves leave the significant
-    /// wave height of the displaced surface as it is.
+    /// Fraction by which the linear waves are increased, so that the bound waves leave the significant wave height as it is.
     pub elevation_gain: f64,
     /// The best single factors for the whole sea: those with which the gradient of the bound waves' height follows from
     /// the sums of elevation, displacement and their gradients over all cascades. 1/m.
     pub mean: ProductFactors,
-    /// Sum of [`CascadeBoundWaves::level_m`] over all cascades, m.
-    pub level_m: f64,
 }
 
 /// Coefficients of the bound waves of a sea, whatever its choppiness; part of its plan.
@@ -203,7 +200,6 @@ impl BoundWaveTotals {
         Self {
             mean: self.mean.moved_towards(to.mean, fraction),
             elevation_gain: mixed(self.elevation_gain, to.elevation_gain, fraction),
-            level_m: mixed(self.level_m, to.level_m, fraction),
         }
     }
 }
@@ -294,9 +290,8 @@ impl BoundWaveFit {
         };
         let strained = self.cascades.iter().map(of_own).sum::<f64>() + self.pairs().map(of_pair).sum::<f64>();
         let elevation_gain = (strained - 0.5 * self.bound_variance_m2()) / sums[0].max(f64::MIN_POSITIVE);
-        let cascades: Vec<_> = self.cascades.iter().map(cascade).collect();
-        let level_m = cascades.iter().map(|cascade| cascade.level_m).sum();
-        BoundWaves { cascades, totals: BoundWaveTotals { elevation_gain, mean, level_m } }
+        let cascades = self.cascades.iter().map(cascade).collect();
+        BoundWaves { cascades, totals: BoundWaveTotals { elevation_gain, mean } }
     }
 }
 

@@ -45,7 +45,7 @@ impl LandUniform {
         let (sin, cos) = placement.turn_rad.sin_cos();
         let steps = coast.side_m().map(|side_m| side_m / (INNER - 1) as f64);
         let [x, _, z] = scene.look.sky.sun_direction();
-        let toward_sun = DVec2::new(cos * x + sin * z, cos * z - sin * x).normalize_or(DVec2::X);
+        let toward_sun = DVec2::from(placement.turned_into_frame([x, z])).normalize_or(DVec2::X);
         let run_up = RunUp::new(scene.sea.hs_m, scene.sea.peak_wavelength_m, FORESHORE_SLOPE);
         Self {
             shoreward: [cos as f32, sin as f32],
