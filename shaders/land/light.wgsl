@@ -177,20 +177,16 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let cosine = max(to_sun, select(0.0, -COVER_BLADE_THROUGH * to_sun, shown.y < 0.0));
   var radiance = ground.albedo * (sunlight * cosine + sky_light) / ATM_PI;
   var film = ground.film;
-  // The shine of damp sand bears no foam.
-  var foamy_film = saturate((film - LAND_SHEEN) / (1.0 - LAND_SHEEN));
+  var sheet = vec2f(0.0);
   var swept = 0.0;
-  var lip = 0.0;
   if film > 0.0 || (shown.y == 0.0 && height < run_up) {
     swept = swash_cover(position.xz, size);
     if swept > SWASH_SWEPT.x && shown.y == 0.0 {
       let bend = swash_tongues(place, size);
       // Level rock keeps as little of a film as steep rock.
       let steep_or_rock = max(length(slope), land_level_rock(around, height));
-      let sheet = swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, steep_or_rock);
+      sheet = swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, steep_or_rock);
       film = max(film, sheet.x);
-      foamy_film = max(foamy_film, sheet.x);
-      lip = sheet.y;
     }
   }
   if film > 0.0 {
@@ -205,7 +201,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     // Sand that is not yet damp is no brighter under water than that of the bed.
     let wet = min(ground.albedo / (LAND_DRY * LAND_DAMP), material.bed_colour) * entering / ATM_PI;
     radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, film * lies);
-    let foam = swash_foam(position.xz, size, lies * max(foamy_film * SWASH_LEFT * swept, SWASH_LIP_COVER * lip), dir);
+    // Foam that a higher wave has left thins out on damp sand and on rock as the water does.
+    let cover = lies * max(film * SWASH_LEFT * swept, SWASH_LIP_COVER * sheet.y);
+    let foam = swash_foam(position.xz, size, cover, dir);
     // Wet bubbles mirror the sky as the film between them does.
     let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + FOAM_SHORE_SHEEN * radiance;
     radiance = mix(foam.beside * radiance, white, foam.opacity);
