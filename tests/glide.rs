@@ -11,6 +11,7 @@ use seastate::point::StrongestWaves;
 use seastate::sim::resources::MapKind;
 use seastate::state::Params;
 use seastate::waves::SeaChange;
+use seastate::waves::second_order::BoundWaveTotals;
 use std::sync::Arc;
 
 const SIZE: [u32; 2] = [96, 64];
@@ -158,6 +159,38 @@ fn a_glide_ends_exactly_on_the_state() {
     fresh.params = window.params.clone();
     fresh.ocean = Ocean::new(&fresh.gpu, PICTURE_FORMAT, OutputKind::Screen, &fresh.params);
     assert!(fresh.picture() == window.picture(), "a sea that was never another");
+}
+
+#[test]
+fn bound_waves_go_from_one_sea_to_the_other() {
+    // The second sea has another number of cascades.
+    for to in ["wind=14&fetch=300&n=64", "wind=2&fetch=5&n=64", "wind=9&height=1.2&chop=0.8&n=64"] {
+        let mut window = Window::new("wind=9&n=64&t=20&pause=1");
+        let totals = |window: &mut Window| window.ocean.simulation().maps().bound_wave_totals();
+        let goal = seastate::waves::Plan::new(&params(to)).bound_waves().totals;
+        let before = totals(&mut window);
+        // Part of the way that gain and factor have gone.
+        let gone = |now: BoundWaveTotals| {
+            [
+                (now.elevation_gain - before.elevation_gain) / (goal.elevation_gain - before.elevation_gain),
+                (now.mean.elevation - before.mean.elevation) / (goal.mean.elevation - before.mean.elevation),
+            ]
+        };
+        window.wish(to);
+        let mut last = [0.0; 2];
+        while {
+            window.frame(FRAME_S);
+            window.ocean.in_transition()
+        } {
+            let now = gone(totals(&mut window));
+            for (now, last) in now.iter().zip(last) {
+                assert!(*now >= last && now - last < 0.07, "{to}: from {last} to {now} in a frame");
+            }
+            last = now;
+        }
+        assert!(last.iter().all(|part| *part > 0.9), "{to}: {last:?}");
+        assert_eq!(totals(&mut window), goal, "{to}");
+    }
 }
 
 #[test]

@@ -48,9 +48,11 @@ fn shaders_find_the_depth_and_where_a_ray_meets_the_bed() {
     let text = "fn answer(q: Question) -> Answer {
         let depth = land_depth_m(q[0].xy, 1.0);
         let column = land_column_m(q[0].xy, q[1].xy, q[0].z, 1.0);
-        return Answer(vec4f(depth, column, land_to_world(land_place(q[0].xy) - land.eye_place)));
+        return Answer(
+            vec4f(depth, column, land_to_world(land_place(q[0].xy) - land.eye_place)),
+            vec4f(land_to_world(land.toward_sun), 0.0, 0.0));
     }";
-    let mut kernel = wgsl::Kernel::<2, 1>::new(&gpu, &shaders(), "water/light", text);
+    let mut kernel = wgsl::Kernel::<2, 2>::new(&gpu, &shaders(), "water/light", text);
     let uniform = wgsl::buffer(&gpu, bytemuck::bytes_of(&LandUniform::new(&coast, &scene)), BufferUsages::UNIFORM);
     let (map, noise) = (land_map(&gpu, &coast), NoiseTexture::new(&gpu));
     let group = [
@@ -67,7 +69,12 @@ fn shaders_find_the_depth_and_where_a_ray_meets_the_bed() {
         questions.push([[x, z, 2.0 * part(0.55), 0.0], [run[0], run[1], 0.0, 0.0]].map(|v| v.map(|v| v as f32)));
     }
     let eye = [scene.view.eye.x, scene.view.eye.z];
-    for (question, [[depth_m, column_m, x, z]]) in questions.iter().zip(kernel.ask(&questions)) {
+    let [sun_x, _, sun_z] = scene.look.sky.sun_direction();
+    for (question, [[depth_m, column_m, x, z], [toward_x, toward_z, ..]]) in
+        questions.iter().zip(kernel.ask(&questions))
+    {
+        let level = sun_x.hypot(sun_z);
+        assert!((toward_x - sun_x / level).hypot(toward_z - sun_z / level) < 1e-6, "{toward_x} {toward_z}");
         let [at, run] = [question[0], question[1]].map(|q| q.map(f64::from));
         let want = |off: [f64; 2]| coast.depth_at_m([eye[0] + at[0] + off[0], eye[1] + at[1] + off[1]]);
         // Dunes have hummocks that the bathymetry does not know.
@@ -126,10 +133,9 @@ fn a_wave_leaves_a_film_on_sand_that_drains_with_its_foam() {
     }";
     let kernel = wgsl::Kernel::<2, 1>::new(&common::gpu(), &shaders(), "land/light", text);
     // Cover of the foam, height of the place, m, slope of the land, and noise of the lobes. The run-up is 1.2 m.
-    let sheet = |cover: f32, height: f32, steep: f32, bend: f32| {
-        kernel.ask(&[[[cover, height, 1.2, steep], [bend, 0.0, 0.0, 0.0]]])[0][0]
+    let bent = |cover: f32, height: f32, steep: f32, bend: f32| {
+        kernel.ask(&[[[cover, height, 1.2, steep], [bend, 0.0, 0.0, 0.0]]])[0][0][0]
     };
-    let bent = |cover, height, steep, bend| sheet(cover, height, steep, bend)[0];
     let film = |cover, height, steep| bent(cover, height, steep, 0.0);
     let drains: Vec<f64> = [0.6, 0.35, 0.15, 0.02].map(|cover| film(cover, 0.5, 0.05)).to_vec();
     assert_eq!((drains[0], drains[3]), (1.0, 0.0));
@@ -137,11 +143,19 @@ fn a_wave_leaves_a_film_on_sand_that_drains_with_its_foam() {
     assert_eq!([film(0.6, 1.2, 0.05), film(0.6, 0.5, 0.6)], [0.0; 2], "above the run-up, and on rock");
     assert!(film(0.6, 0.8, 0.05) > 0.0);
     assert!(bent(0.6, 1.2, 0.05, -3.0) < 1e-5, "no lobe reaches beyond the run-up");
-    // A narrow lip of foam lies along the upper edge, where the film has passed.
-    let lip = |cover, height| sheet(cover, height, 0.05, 0.0)[1];
-    let edge: Vec<f64> = (0..60).map(|i| lip(0.6, 0.9 + 0.002 * i as f32)).collect();
-    assert!(edge.iter().any(|x| *x > 0.8), "{edge:?}");
-    assert_eq!([lip(0.6, 0.5), lip(0.6, 1.2), lip(0.02, 0.965)], [0.0; 3]);
+    // A narrow lip of foam lies along the upper edge of the film, drains with it, and is not on rock.
+    let lips = |cover: f32, steep: f32| -> Vec<f64> {
+        let heights = (0..750).map(|i| [[cover, 0.002 * i as f32, 1.2, steep], [0.0; 4]]);
+        kernel.ask(&heights.collect::<Vec<_>>()).iter().map(|[answer]| answer[1]).collect()
+    };
+    let lip = lips(0.6, 0.05);
+    let seen: Vec<usize> = (0..lip.len()).filter(|i| lip[*i] > 0.0).collect();
+    let (low, high) = (seen[0], seen[seen.len() - 1]);
+    assert!(low >= 471 && high <= 489 && high - low <= 8, "between {low} and {high} times 2 mm");
+    let largest = |lips: &[f64]| lips.iter().copied().fold(0.0, f64::max);
+    let drained = largest(&lips(0.15, 0.05));
+    assert!(largest(&lip) > 0.8 && drained > 0.05 && drained < 0.5, "{drained}");
+    assert_eq!([largest(&lips(0.02, 0.05)), largest(&lips(0.6, 0.6))], [0.0; 2], "drained, and on rock");
 }
 
 /// Height, m, of the ridge of [`ridge`], and its distance from the sea's edge of the coast.

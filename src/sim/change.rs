@@ -196,9 +196,7 @@ impl Simulation {
             self.overlaps.clear();
         }
         let (size, plan) = (self.resources.foam_n, &self.sea.plan);
-        if step.interpolation_fraction > 0.0 {
-            self.maps.bound_waves[1].move_towards(&plan.bound_waves(), step.interpolation_fraction);
-        }
+        self.maps.apply_transition_step(step, plan);
         self.foam_parameters.apply_transition_step(step, |_| FoamParameters::new(size, plan));
         self.foam.set_parameters(self.foam_parameters.cross_faded_value(self.transition.cross_fade_weight()));
         self.maps.set_cross_fade_weights(&self.overlaps, self.transition.cross_fade_weight());

@@ -2,7 +2,7 @@
 
 use super::coast::square::{CoastSquare, SHORTEST_COASTAL_WAVE_TEXELS};
 use super::resources::{MapKind, Resources, array_view};
-use super::transition::{TransitionKind, cross_fade_amplitudes};
+use super::transition::{Interpolated, TransitionFrameProgress, TransitionKind, cross_fade_amplitudes};
 use crate::gpu::layout::gpu_struct;
 use crate::waves::overlap::SeaCovariance;
 use crate::waves::plan::{Cascade, Plan};
@@ -77,8 +77,8 @@ pub struct Maps {
     pub no_coast: wgpu::TextureView,
     /// Number of entries at the start of `cascades` that belong to the old sea of a cross-fade; 0 without a cross-fade.
     pub fading_cascade_count: usize,
-    /// Bound waves of the second order of the sea that fades out in a cross-fade, and of the current sea.
-    pub bound_waves: [BoundWaves; 2],
+    /// Bound waves of the second order.
+    bound_waves: Interpolated<BoundWaves>,
     /// The current sea's fraction of the sum of both elevation variances, 0 to 1, while a cross-fade runs.
     new_sea_weight: f64,
     /// Cell sizes and positions of the foam levels, finest level first.
@@ -176,7 +176,7 @@ impl Maps {
             coast: None,
             no_coast: resources.placeholder.clone(),
             fading_cascade_count: 0,
-            bound_waves: [BoundWaves::default(), plan.bound_waves()],
+            bound_waves: Interpolated::new(plan.bound_waves()),
             new_sea_weight: 1.0,
             foam_levels: Vec::new(),
             foam_cells_per_side: resources.foam_n,
@@ -194,8 +194,8 @@ impl Maps {
     /// entry counts for the products of both; most of its waves are offshore waves, so that they get its level. Waves at the
     /// coast have none.
     pub fn bound_waves_of_cascades(&self) -> impl Iterator<Item = CascadeBoundWaves> + '_ {
-        let of_sea = |sea: usize, cascades: &[MapCascade]| -> Vec<CascadeBoundWaves> {
-            let mut ordinary = self.bound_waves[sea].cascades.iter();
+        let of_sea = |sea: &BoundWaves, cascades: &[MapCascade]| -> Vec<CascadeBoundWaves> {
+            let mut ordinary = sea.cascades.iter();
             let mut level_m = None;
             let mut of = |cascade: &MapCascade| match cascade.role {
                 CascadeRole::Ordinary => {
@@ -210,17 +210,14 @@ impl Maps {
             };
             cascades.iter().map(&mut of).collect()
         };
+        let (old, new) = self.bound_waves.fading_and_current();
         let (fading, own) = self.cascades.split_at(self.fading_cascade_count);
-        [of_sea(0, fading), of_sea(1, own)].concat().into_iter()
+        [of_sea(old.unwrap_or(new), fading), of_sea(new, own)].concat().into_iter()
     }
 
     /// Bound waves of the drawn sea as a whole: in a cross-fade they go from those of the old sea to those of the new one.
     pub fn bound_wave_totals(&self) -> BoundWaveTotals {
-        let [old, new] = &self.bound_waves;
-        if self.fading_cascade_count == 0 {
-            return new.totals;
-        }
-        old.totals.moved_towards(&new.totals, self.new_sea_weight)
+        self.bound_waves.cross_faded_value(self.new_sea_weight).totals
     }
 
     /// The ordinary cascades of the current sea, in the order of its plan.
@@ -242,18 +239,21 @@ impl Maps {
             TransitionKind::Immediate => {
                 self.cascades.clear();
                 self.fading_cascade_count = 0;
-                self.bound_waves[1] = plan.bound_waves();
             }
             TransitionKind::Amplitudes => self.cascades.truncate(self.fading_cascade_count),
             TransitionKind::CrossFade => {
                 self.end_cross_fade();
                 self.fading_cascade_count = self.cascades.len();
-                self.bound_waves[0] = std::mem::replace(&mut self.bound_waves[1], plan.bound_waves());
             }
         }
         self.cascades.extend(MapCascade::all_of_plan(plan, resources, has_coast));
         (self.h0, self.wave_table) =
             (resources.current_waves().h0.clone(), resources.current_waves().wave_table.clone());
+    }
+
+    /// Applies one frame of a transition to `plan` to the bound waves.
+    pub(super) fn apply_transition_step(&mut self, step: &TransitionFrameProgress, plan: &Plan) {
+        self.bound_waves.apply_transition_step(step, |_| plan.bound_waves());
     }
 
     /// Sets amplitude factor and variance correction of each drawn cascade in a cross-fade. `overlaps` has an entry per

@@ -5,6 +5,7 @@
 //! During a cross-fade (`transition`) two seas are evaluated one after the other into different layers of the maps. With a
 //! `coast`, some of the waves have layers of their own.
 
+mod bound_waves;
 mod change;
 pub mod coast;
 pub mod foam;

@@ -102,7 +102,8 @@ pub struct BoundWaves {
 /// Bound waves of all cascades together.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BoundWaveTotals {
-    /// Fraction by which the linear waves are increased, so that the bound waves leave the significant wave height as it is.
+    /// Fraction by which the elevation of the linear waves is increased, so that the bound waves leave the significant
+    /// wave height of the displaced surface as it is.
     pub elevation_gain: f64,
     /// The best single factors for the whole sea: those with which the gradient of the bound waves' height follows from
     /// the sums of elevation, displacement and their gradients over all cascades. 1/m.
@@ -159,49 +160,6 @@ struct Node {
     orbit_width_over_height: f64,
     /// Fractions of the variance in each of [`DIRECTIONS`] directions.
     fractions: [f64; DIRECTIONS],
-}
-
-impl ProductFactors {
-    /// These factors, moved by `fraction` of the way (0 to 1) towards `to`.
-    fn moved_towards(self, to: Self, fraction: f64) -> Self {
-        let moved = |a: f64, b: f64| mixed(a, b, fraction);
-        Self { elevation: moved(self.elevation, to.elevation), displacement: moved(self.displacement, to.displacement) }
-    }
-}
-
-impl CascadeBoundWaves {
-    fn moved_towards(&self, to: &Self, fraction: f64) -> Self {
-        Self {
-            own: self.own.moved_towards(to.own, fraction),
-            with_shorter: self.with_shorter.moved_towards(to.with_shorter, fraction),
-            level_m: mixed(self.level_m, to.level_m, fraction),
-        }
-    }
-}
-
-/// The number at `fraction` (0 to 1) of the way from `from` to `to`, exact at both ends.
-fn mixed(from: f64, to: f64, fraction: f64) -> f64 {
-    (1.0 - fraction) * from + fraction * to
-}
-
-impl BoundWaves {
-    /// Moves these bound waves by `fraction` of the way (0 to 1) towards `to`, of as many cascades.
-    pub fn move_towards(&mut self, to: &Self, fraction: f64) {
-        self.totals = self.totals.moved_towards(&to.totals, fraction);
-        for (cascade, to) in self.cascades.iter_mut().zip(&to.cascades) {
-            *cascade = cascade.moved_towards(to, fraction);
-        }
-    }
-}
-
-impl BoundWaveTotals {
-    /// These numbers, moved by `fraction` of the way (0 to 1) towards `to`.
-    pub fn moved_towards(&self, to: &Self, fraction: f64) -> Self {
-        Self {
-            mean: self.mean.moved_towards(to.mean, fraction),
-            elevation_gain: mixed(self.elevation_gain, to.elevation_gain, fraction),
-        }
-    }
 }
 
 impl BoundWaveFit {
