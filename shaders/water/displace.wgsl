@@ -9,7 +9,7 @@ override WATER_SHADOWS: bool = false;
 const DISPLACE_SHADOW_WIDTH = 0.7;
 
 // Height of the lobes in which water runs up the land, relative to the run-up, and the highest run-up that counts, m.
-const DISPLACE_LOBES = 0.33;
+const DISPLACE_LOBES = 0.08;
 const DISPLACE_LOBES_RUN_UP_M = 0.8;
 // Lengths of the lobes along the edge of the water, m, their shares, and how much longer they are across it.
 const DISPLACE_LOBES_M = vec3f(12.7, 5.3, 2.1);

@@ -40,6 +40,9 @@ const SURF_COARSE = vec2f(1.4, 2.2);
 // Coefficients of the sines of once to four times the phase in the motion that squeezes the front: the integral of the
 // fourth power of (1 + cos) / 2, without its mean.
 const SURF_SINES = vec4f(0.4375, 0.109375, 0.0208333, 0.001953);
+// Depths of the still water, m, between which waves become swash, which rises and falls on the beach as a whole: no
+// front of it is steep.
+const SURF_SWASH_M = vec2f(-0.1, 0.7);
 // Step of the phase, rad, over which the shape is differentiated.
 const SURF_PHASE_STEP = 0.03;
 
@@ -156,7 +159,7 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
     }
     let over = gain * wave.here.z;
     var form = surf_form(ursell, over, height_m * wave_number);
-    form = mix(vec2f(0.0, 1.0), form, wave.known);
+    form = mix(vec2f(0.0, 1.0), form, wave.known * maths_rise(wave.here.w, SURF_SWASH_M));
     form.x *= mix(SURF_AT_EYE, 1.0, maths_rise(length(at), SURF_BESIDE_EYE_M));
     let ahead = (wave.known * wave_number) * surf_lobes(at, height_m, over);
     // The map's sine wave stays where it is, so that a shifted shape also moves the sine.

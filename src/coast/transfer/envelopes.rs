@@ -68,15 +68,18 @@ impl Envelopes {
     }
 
     /// Continues a wave over the shore: at each of its points the envelope is the mean of those around that are
-    /// nearer to the open water. So the wave goes on as its carrier does, with the delay of its lobes.
-    pub(super) fn continue_ashore(&mut self, index: usize, wave: &Wave, shore: &Shore) {
+    /// nearer to the open water. So the wave goes on as its carrier does, whose phase in each column is `phase_rad`, but
+    /// with the wave number of the shore, and with the delay of its lobes.
+    pub(super) fn continue_ashore(&mut self, index: usize, wave: &Wave, shore: &Shore, phase_rad: &[f64]) {
         let out = &mut self.packed[index * self.points..(index + 1) * self.points];
-        let delay = |by_s: f64| Complex::polar(1.0, wave.omega_rad_s * by_s);
         for place in &shore.places {
             let mut sum = Complex::ZERO;
             for (source, weight) in &place.sources {
                 let since_s = shore.delay_s[place.point] - shore.delay_s[*source];
-                sum += unpack(out[*source]) * delay(since_s) * *weight;
+                let carried_rad = phase_rad[place.point % self.columns] - phase_rad[*source % self.columns];
+                let wave_number = 0.5 * (shore.wave_number[place.point] + shore.wave_number[*source]);
+                let turn_rad = wave.omega_rad_s * since_s + (wave_number - 1.0) * carried_rad;
+                sum += unpack(out[*source]) * Complex::polar(*weight, turn_rad);
             }
             out[place.point] = pack(sum);
             self.continued_m2[place.point] += 0.5 * wave.open_amplitude_m.powi(2) * sum.norm_squared();

@@ -6,6 +6,7 @@
 //! divided again and again.
 
 use super::WaveGroup;
+use super::shore::ShoreDepths;
 use crate::coast::bathymetry::Bathymetry;
 use crate::coast::field::{Carrier, wave_number_along_x};
 use crate::coast::incident::Incident;
@@ -89,13 +90,14 @@ impl Spread {
 }
 
 /// The depth of each column over which the carriers refract, m: that in which a long wave has the mean wave number of
-/// the column's water of at least `least_m`; `least_m` where there is none. So a carrier is not drawn together in
-/// water that is hardly there, and goes on over land.
-pub(super) fn carrier_profile_m(grid: &Bathymetry, least_m: f64) -> Vec<f64> {
+/// the waves in the column's water, and on its land as far as the swash comes. Where there is neither, the carriers go on
+/// as the swash does.
+pub(super) fn carrier_profile_m(grid: &Bathymetry, depths: ShoreDepths) -> Vec<f64> {
     let column = |i: usize| {
-        let wet = (0..grid.rows).map(|j| grid.at(i, j)).filter(|depth_m| *depth_m >= least_m);
-        let (count, sum) = wet.fold((0.0, 0.0), |(count, sum), depth_m| (count + 1.0, sum + depth_m.powf(-0.5)));
-        if count > 0.0 { (count / sum).powi(2) } else { least_m }
+        let reached = (0..grid.rows).map(|j| grid.at(i, j)).filter(|depth_m| *depth_m > -depths.reach_m);
+        let (count, sum) = reached
+            .fold((0.0, 0.0), |(count, sum), depth_m| (count + 1.0, sum + depths.of_waves_m(depth_m).powf(-0.5)));
+        if count > 0.0 { (count / sum).powi(2) } else { depths.swash_m }
     };
     (0..grid.columns).map(column).collect()
 }

@@ -10,11 +10,42 @@ use std::f64::consts::TAU;
 const LOBE_DELAY_S: f64 = 1.3;
 const LOBES: [[f64; 3]; 3] = [[127.0, 0.4, 0.3], [71.0, 0.35, 2.1], [43.0, 0.25, 4.4]];
 
+/// How fast waves run where the shore is shallow or dry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ShoreDepths {
+    /// Depth, m, below which waves are no longer those of the solvers.
+    pub(super) least_m: f64,
+    /// Depth, m, in which a long wave is as fast as the swash is on the beach.
+    pub(super) swash_m: f64,
+    /// Height, m, of land up to which the swash may come.
+    pub(super) reach_m: f64,
+}
+
+impl ShoreDepths {
+    /// How far waves have become swash where the water is `depth_m` (m) deep: 0 from the least depth on, 1 from the
+    /// waterline on.
+    fn swash_share(&self, depth_m: f64) -> f64 {
+        smooth_step(1.0 - depth_m / self.least_m)
+    }
+
+    /// Depth, m, in which a long wave is as fast as the waves are where the water is `depth_m` (m) deep, or where the
+    /// land is `-depth_m` high: between the least depth and the waterline the waves become those of the swash.
+    pub(super) fn of_waves_m(&self, depth_m: f64) -> f64 {
+        if depth_m >= self.least_m {
+            return depth_m;
+        }
+        let swash = self.swash_share(depth_m);
+        ((1.0 - swash) * self.least_m.powf(-0.5) + swash * self.swash_m.powf(-0.5)).powi(-2)
+    }
+}
+
 /// The points of a shore, those nearest to the open water first.
 pub(super) struct Shore {
     pub(super) places: Vec<Place>,
     /// How much later waves come to a point than they would without the lobes of the beach, s, of all points of the grid.
     pub(super) delay_s: Vec<f64>,
+    /// Wave number along x of the waves at all points of the grid, relative to that of the carriers in their column.
+    pub(super) wave_number: Vec<f64>,
 }
 
 /// A point of the shore.
@@ -27,15 +58,19 @@ pub(super) struct Place {
 }
 
 impl Shore {
-    /// The shore of a grid: water shallower than `least_depth_m` (m), land that is at most `reach_m` (m) high, and the
-    /// first points of higher land, between which and the water the waves are interpolated.
-    pub(super) fn new(grid: &Bathymetry, least_depth_m: f64, reach_m: f64) -> Self {
-        let mut is_reached: Vec<bool> = grid.depth_m.iter().map(|h| f64::from(*h) >= least_depth_m).collect();
+    /// The shore of a grid: water shallower than the least depth, land in reach of the swash, and the first points of
+    /// higher land, between which and the water the waves are interpolated. The carriers of the waves refract over the
+    /// depths `profile_m` (m) of the columns.
+    pub(super) fn new(grid: &Bathymetry, depths: ShoreDepths, profile_m: &[f64]) -> Self {
+        let mut is_reached: Vec<bool> = grid.depth_m.iter().map(|h| f64::from(*h) >= depths.least_m).collect();
+        let wave_number = |(point, depth_m): (usize, &f32)| {
+            (profile_m[point % grid.columns] / depths.of_waves_m(f64::from(*depth_m))).sqrt()
+        };
         let mut places = Vec::new();
         loop {
             let mut layer = Vec::new();
             for point in (0..is_reached.len()).filter(|point| !is_reached[*point]) {
-                let is_low = |at: usize| f64::from(grid.depth_m[at]) > -reach_m;
+                let is_low = |at: usize| f64::from(grid.depth_m[at]) > -depths.reach_m;
                 let can_come = |at: &usize| is_reached[*at] && (is_low(*at) || is_low(point));
                 let around: Vec<usize> = neighbours(grid, point).filter(can_come).collect();
                 if !around.is_empty() {
@@ -43,7 +78,8 @@ impl Shore {
                 }
             }
             if layer.is_empty() {
-                return Self { places, delay_s: delays_s(grid, least_depth_m) };
+                let wave_number = grid.depth_m.iter().enumerate().map(wave_number).collect();
+                return Self { places, delay_s: delays_s(grid, depths), wave_number };
             }
             layer.iter().for_each(|place| is_reached[place.point] = true);
             places.extend(layer);
@@ -59,12 +95,13 @@ impl Shore {
     }
 }
 
-/// Delays of the waves, s, at the points of a grid: 0 from `least_depth_m` (m) on, and whole at the waterline.
-fn delays_s(grid: &Bathymetry, least_depth_m: f64) -> Vec<f64> {
+/// Delays of the waves, s, at the points of a grid: 0 where they are not yet swash, and whole from the waterline on.
+fn delays_s(grid: &Bathymetry, depths: ShoreDepths) -> Vec<f64> {
     let lobes = |y_m: f64| LOBES.iter().map(|[length_m, share, rad]| share * (TAU * y_m / length_m + rad).sin()).sum();
     let rows: Vec<f64> = (0..grid.rows).map(|j| lobes(j as f64 * grid.cell_m)).collect();
-    let share = |depth_m: f32| smooth_step(1.0 - f64::from(depth_m) / least_depth_m);
-    let delay = |(point, depth_m): (usize, &f32)| LOBE_DELAY_S * rows[point / grid.columns] * share(*depth_m);
+    let delay = |(point, depth_m): (usize, &f32)| {
+        LOBE_DELAY_S * rows[point / grid.columns] * depths.swash_share(f64::from(*depth_m))
+    };
     grid.depth_m.iter().enumerate().map(delay).collect()
 }
 
@@ -96,7 +133,8 @@ mod tests {
     #[test]
     fn the_shore_reaches_from_shallow_water_up_to_the_run_up() {
         let grid = Bathymetry::from_fn(30, 12, 5.0, |x, y| if y < 30.0 { 5.0 - 0.1 * x } else { 5.0 - 0.1 * x - 9.0 });
-        let shore = Shore::new(&grid, 1.0, 2.0);
+        let depths = ShoreDepths { least_m: 1.0, swash_m: 9.0, reach_m: 2.0 };
+        let shore = Shore::new(&grid, depths, &[4.0; 30]);
         let place = |i: usize, j: usize| shore.places.iter().position(|place| place.point == j * 30 + i);
         // Depths of row 2: 1.0 at column 8, 0.5 at 9, 0 at 10, -2 at 14, -2.5 at 15.
         assert!(place(8, 2).is_none() && place(9, 2).is_some() && place(9, 2) < place(10, 2));

@@ -110,7 +110,9 @@ impl TransferSolver {
                 MARCHED + (SOLVED - MARCHED) * done
             }
             Stage::Ashore(ashore, next) if next < waves => {
-                self.envelopes.continue_ashore(next, &self.setup.waves[next], &ashore.shore);
+                let wave = &self.setup.waves[next];
+                let phase_rad = &self.setup.groups[wave.group as usize].column_phase_rad;
+                self.envelopes.continue_ashore(next, wave, &ashore.shore, phase_rad);
                 self.stage = Stage::Ashore(ashore, next + 1);
                 SOLVED + 0.5 * (1.0 - SOLVED) * of_waves(next)
             }
@@ -188,10 +190,8 @@ impl TransferSolver {
     }
 
     fn go_ashore(&self, sea: Dissipation) -> Stage {
-        let Setup { grid, run_up, least_depth_m, .. } = &self.setup;
-        // Twice the standard deviation of the swash above the mean level: half the height, and as much for rare waves.
-        let reach_m = run_up.map_or(0.0, |run_up| run_up.set_up_m + run_up.swash_m);
-        let shore = Shore::new(grid, *least_depth_m, reach_m);
+        let Setup { grid, shore, profile_m, .. } = &self.setup;
+        let shore = Shore::new(grid, *shore, profile_m);
         let swash = Swash::new(&self.setup, &sea, &self.envelopes.variance_m2, &shore);
         Stage::Ashore(Box::new(Ashore { sea, shore, swash, factors: Vec::new() }), 0)
     }
@@ -211,7 +211,7 @@ impl TransferSolver {
 
     /// Depth, m, from which the waves are neither continued ashore nor raised to the swash.
     fn open_from_m(&self, ashore: &Ashore) -> f64 {
-        self.setup.least_depth_m.max(ashore.swash.begin_m)
+        self.setup.shore.least_m.max(ashore.swash.begin_m)
     }
 
     fn transfer(&mut self, ashore: &Ashore) -> Transfer {

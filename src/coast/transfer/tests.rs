@@ -177,6 +177,51 @@ fn the_beach_has_surf_and_swash() {
     assert_eq!(alone, transfer);
 }
 
+/// The water that runs up the beach is joined to the sea: behind its edge, seen from the sea, no water lies on the sand.
+/// Its edge is higher than the run-up R2 of Stockdon et al. 2006 for about 2 % of the time: R2 is 1.1 times the mean level
+/// and two standard deviations, and a normal level is higher than 2.05 deviations for 2 % of the time.
+#[test]
+fn the_swash_is_joined_to_the_sea() {
+    let sea = plan("depth=12&wind=4&fetch=15&dir=255&scale2=1&hs2=2.2&tp2=10&dir2=245&n=64");
+    let beach = BuiltInCoast::find("beach").expect("a beach");
+    let coast = PlacedCoast::built_in(beach, &PlacingOptions::default()).expect("a place");
+    let limits = TransferLimits { max_waves: 60, ..TransferLimits::default() };
+    let run_up = setup::Setup::new(&sea, &coast, &limits).run_up.expect("a shore");
+    let transfer = Arc::new(solved(&sea, &coast, &limits));
+    let waves = CoastalWaves::new(transfer.clone(), &sea).expect("the same lattice");
+    let (mut edges_m, mut cut_off) = (Vec::new(), 0);
+    for step in 0..12 {
+        let time = sea.period_fraction_u32(1000.0 + 7.3 * f64::from(step));
+        for row in (12..transfer.rows - 12).step_by(8) {
+            let y_m = row as f64 * transfer.cell_m;
+            // From the waterline of the still water inland: height of the ground, and depth of the water on it.
+            let (mut is_dry, mut edge_m) = (false, 0.0);
+            let on_land = (0..)
+                .map(|i| transfer.world_m([f64::from(i), y_m]))
+                .map(|at| (at, transfer.gains(at)))
+                .skip_while(|(_, gains)| gains.depth_m > 0.0)
+                .take(60);
+            let mut has_cut_off = false;
+            for (at, gains) in on_land {
+                let level_m = gains.set_up_m + waves.sums(at, time).elevation_m;
+                let water_m = level_m + gains.depth_m;
+                has_cut_off |= is_dry && water_m > 0.02;
+                if !is_dry && water_m > 0.0 {
+                    edge_m = -gains.depth_m;
+                }
+                is_dry |= water_m <= 0.0;
+            }
+            cut_off += usize::from(has_cut_off);
+            edges_m.push(edge_m);
+        }
+    }
+    let rows = edges_m.len();
+    assert!(rows > 150 && cut_off * 50 < rows, "{cut_off} of {rows} rows have water that is cut off");
+    edges_m.sort_by(f64::total_cmp);
+    let highest_m = edges_m[rows * 98 / 100];
+    assert!((0.8..1.2).contains(&(highest_m / run_up.two_percent_m)), "{highest_m} m of {run_up:?}");
+}
+
 /// The solver takes water thinner than 0.1 m for land. There, too, the swash breaks as it does beside it, on the side of
 /// the sea and up the beach: rollers run to the edge of the water.
 #[test]
