@@ -203,7 +203,8 @@ fn surf_moves_as_its_slopes_tell_and_small_waves_do_not() {
     let moving = surf.iter().filter(|m| m[0] != [0.0; 4]).count();
     let most = surf.iter().map(|m| m[0][0].hypot(m[0][2])).fold(0.0, f64::max);
     let own = error(&surf);
-    let wrong = even.patched("water/displace", "forward_m, (change.x", "forward_m, (0.8 * change.x");
+    let wrong =
+        even.clone().patched("water/displace", "forward_change = (change.x", "forward_change = (0.8 * change.x");
     let fault = error(&beach(&wrong, 0.1));
     eprintln!(
         "{moving} of {} points move, by up to {most:.1} m; derivatives {own:.3}, with a fault {fault:.3}",
@@ -211,6 +212,10 @@ fn surf_moves_as_its_slopes_tell_and_small_waves_do_not() {
     );
     assert!(moving > surf.len() / 4 && most > 2.0 && most < 20.0, "{moving} {most}");
     assert!(own < 0.1 && fault > 1.5 * own, "{own} {fault}");
+    // The shape fades towards the waterline, which the derivatives know.
+    let unfaded = error(&beach(&even.patched("water/displace", "shown.y * wave.deepening", "vec2f(0.0)"), 0.1));
+    eprintln!("derivatives without the fading {unfaded:.3}");
+    assert!(unfaded > 1.2 * own, "{own} {unfaded}");
     // Lobes meet in creases, so a step must be short.
     let lobed = error(&beach(&shaders, 0.01));
     let forgotten = error(&beach(&patched("let turn = wave.turn - ahead.yz;", "let turn = wave.turn;"), 0.01));

@@ -20,8 +20,9 @@ fn land_mirrored(mirror: WaterMirror, place: vec2f, height: f32, rays: WaterMirr
   if horizon.rise > 0.0 {
     let sharp = inverseSqrt(rays.blur.y * rays.blur.y + 1e-6);
     let low = -rise * sharp;
-    // Rays below the level meet other waves.
-    let met = maths_normal_cdf(low + horizon.rise * sharp) - maths_normal_cdf(low);
+    // Rays below the level meet other waves, which mirror the land as often.
+    let below = maths_normal_cdf(low);
+    let met = (maths_normal_cdf(low + horizon.rise * sharp) - below) / max(1.0 - below, 1e-3);
     let at = place + toward * horizon.far_m;
     let radiance = land_far_radiance(at, land_at(at, land_lod(0.25 * horizon.far_m)));
     out.radiance = mix(mirror.radiance, (mirror.reflectance * material.sky_reflection) * radiance, met);

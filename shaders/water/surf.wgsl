@@ -40,9 +40,9 @@ const SURF_COARSE = vec2f(1.4, 2.2);
 // Coefficients of the sines of once to four times the phase in the motion that squeezes the front: the integral of the
 // fourth power of (1 + cos) / 2, without its mean.
 const SURF_SINES = vec4f(0.4375, 0.109375, 0.0208333, 0.001953);
-// Depths of the still water, m, between which waves become swash, which rises and falls on the beach as a whole: no
-// front of it is steep.
-const SURF_SWASH_M = vec2f(-0.1, 0.7);
+// Depths of the still water, m, between which waves lose this shape: they become swash, which rises and falls on the
+// beach as a whole and has no steep front.
+const SURF_SWASH_M = vec2f(0.1, 0.9);
 // Step of the phase, rad, over which the shape is differentiated.
 const SURF_PHASE_STEP = 0.03;
 
@@ -70,26 +70,29 @@ fn surf_shape(phase: f32, form: vec2f) -> vec2f {
   return vec2f(forward, up);
 }
 
-// Half the complex amplitude, m, of the waves of a coast's layer at texture coordinates.
-fn surf_half_amplitude(layer: u32, uv: vec2f) -> vec2f {
-  return textureSampleLevel(displacement_map, nearest_mip_sampler, uv, layer + 1u, 0.0).xy;
+// Half the complex amplitude (xy), m, of the waves of a coast's layer, and depth (w), m, at texture coordinates.
+fn surf_at(layer: u32, uv: vec2f) -> vec4f {
+  return textureSampleLevel(displacement_map, nearest_mip_sampler, uv, layer + 1u, 0.0);
 }
 
-// Change of the phase, rad/m (x), and of the amplitude, relative to it (y), where half the complex amplitude is `here`, and
-// `before` and `after` it a texel to each side. Steps of one texel are shorter than half a wave.
-fn surf_change(before: vec2f, here: vec2f, after: vec2f, texels_per_m: f32) -> vec2f {
-  let step = maths_complex_mul(after, vec2f(here.x, -here.y)) + maths_complex_mul(here, vec2f(before.x, -before.y));
-  let growth = 0.5 * (length(after) - length(before)) / max(length(here), 1e-5);
-  return texels_per_m * vec2f(maths_phase(step), growth);
+// Change of the phase, rad/m (x), of the amplitude, relative to it (y), and of the depth (z), where half the complex
+// amplitude is `here`, and `before` and `after` are values of surf_at a texel to each side. Steps of one texel are
+// shorter than half a wave.
+fn surf_change(before: vec4f, here: vec2f, after: vec4f, texels_per_m: f32) -> vec3f {
+  let step =
+    maths_complex_mul(after.xy, vec2f(here.x, -here.y)) + maths_complex_mul(here, vec2f(before.x, -before.y));
+  let growth = 0.5 * (length(after.xy) - length(before.xy)) / max(length(here), 1e-5);
+  return texels_per_m * vec3f(maths_phase(step), growth, 0.5 * (after.w - before.w));
 }
 
 // A coast's wave at an undisplaced position.
 struct SurfWave {
   // Half the complex amplitude, m (xy); height relative to that from which the wave breaks (z); depth, m (w).
   here: vec4f,
-  // Changes of the phase along x and z, rad/m, and of the amplitude, relative to it, 1/m.
+  // Changes along x and z of the phase, rad/m, of the amplitude, relative to it, 1/m, and of the depth.
   turn: vec2f,
   growth: vec2f,
+  deepening: vec2f,
   // Depth, m, and wave number, rad/m, within the bounds of the formulas.
   depth_m: f32,
   wave_number: f32,
@@ -110,15 +113,16 @@ fn surf_wave(map: FrameCascade, at: vec2f) -> SurfWave {
   let texel = vec2f(1.0 / frame.n, 0.0);
   let texels_per_m = frame.n * map.inverse_patch;
   let along_x = surf_change(
-    surf_half_amplitude(map.layer, uv - texel), here.xy, surf_half_amplitude(map.layer, uv + texel), texels_per_m);
+    surf_at(map.layer, uv - texel), here.xy, surf_at(map.layer, uv + texel), texels_per_m);
   let along_z = surf_change(
-    surf_half_amplitude(map.layer, uv - texel.yx), here.xy, surf_half_amplitude(map.layer, uv + texel.yx),
+    surf_at(map.layer, uv - texel.yx), here.xy, surf_at(map.layer, uv + texel.yx),
     texels_per_m);
   let turn = vec2f(along_x.x, along_z.x);
   let depth_m = max(here.w, SURF_LEAST_DEPTH_M);
   let wave_number = max(length(turn), SURF_LEAST_WAVE_NUMBER * inverseSqrt(depth_m));
   let known = 1.0 - maths_rise(wave_number / texels_per_m, SURF_COARSE);
-  return SurfWave(here, turn, vec2f(along_x.y, along_z.y), depth_m, wave_number, known);
+  let deepening = vec2f(along_x.z, along_z.z);
+  return SurfWave(here, turn, vec2f(along_x.y, along_z.y), deepening, depth_m, wave_number, known);
 }
 
 // How far the front of a wave runs ahead of its mean at an undisplaced position relative to the point below the eye, m
@@ -135,6 +139,13 @@ fn surf_lobes(at: vec2f, height_m: f32, over: f32) -> vec3f {
   let spacing = mesh_spacing(length(at));
   return breaker_shown_billows(at, SURF_LOBES_M.x, spacing, vec3f(ahead_m.x, 0.0, 0.0))
     + breaker_shown_billows(at, SURF_LOBES_M.y, spacing, vec3f(ahead_m.y, 0.0, 0.0));
+}
+
+// How much of this shape a wave has at a depth of the still water, m (x), and the derivative of that, 1/m (y).
+fn surf_shown(depth_m: f32) -> vec2f {
+  let over = 1.0 / (SURF_SWASH_M.y - SURF_SWASH_M.x);
+  let t = saturate((depth_m - SURF_SWASH_M.x) * over);
+  return vec2f(maths_smooth(t), 6.0 * over * t * (1.0 - t));
 }
 
 // Motion of the water at an undisplaced position relative to the point below the eye, m, where waves come ashore.
@@ -159,19 +170,26 @@ fn surf_motion(at: vec2f) -> BreakerMotion {
     }
     let over = gain * wave.here.z;
     var form = surf_form(ursell, over, height_m * wave_number);
-    form = mix(vec2f(0.0, 1.0), form, wave.known * maths_rise(wave.here.w, SURF_SWASH_M));
+    let shown = wave.known * surf_shown(wave.here.w);
+    let shown_change = shown.y * wave.deepening;
+    form = mix(vec2f(0.0, 1.0), form, shown.x);
     form.x *= mix(SURF_AT_EYE, 1.0, maths_rise(length(at), SURF_BESIDE_EYE_M));
-    let ahead = (wave.known * wave_number) * surf_lobes(at, height_m, over);
+    let lobes = surf_lobes(at, height_m, over);
+    let ahead = wave_number * (shown.x * lobes + vec3f(0.0, lobes.x * shown_change));
     // The map's sine wave stays where it is, so that a shifted shape also moves the sine.
     let map_phase = maths_phase(wave.here.xy);
     let phase = map_phase - ahead.x;
     let turn = wave.turn - ahead.yz;
     let shape = surf_shape(phase, form);
     let change = (1.0 / SURF_PHASE_STEP) * (surf_shape(phase + SURF_PHASE_STEP, form) - shape);
+    // The shape grows with the share of it that is shown, nearly in proportion.
+    let grown = shape / max(shown.x, 1e-3);
     let forward_m = shape.x / wave_number;
+    let forward_change = (change.x / wave_number) * turn + (grown.x / wave_number) * shown_change;
     let up = shape.y + 0.5 * (cos(phase) - cos(map_phase));
-    let up_change = (change.y - 0.5 * sin(phase)) * turn + 0.5 * sin(map_phase) * wave.turn;
-    out = breaker_pushed(out, onshore, forward_m, (change.x / wave_number) * turn);
+    let up_change =
+      (change.y - 0.5 * sin(phase)) * turn + grown.y * shown_change + 0.5 * sin(map_phase) * wave.turn;
+    out = breaker_pushed(out, onshore, forward_m, forward_change);
     out.moved.y += height_m * up;
     out.derivatives.slope += height_m * (up_change + up * wave.growth);
   }

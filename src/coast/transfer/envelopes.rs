@@ -5,7 +5,11 @@ use super::half_float::{pack, unpack};
 use super::setup::Wave;
 use super::shore::Shore;
 use crate::coast::complex::Complex;
-use crate::coast::field::ComponentField;
+use crate::coast::field::{ComponentField, wave_number_along_x};
+
+/// Largest turn of an envelope between two points of the shore, rad. Drawn linearly between them, the envelope loses an
+/// eighth of the turn's square in the middle.
+const MAX_TURN_RAD: f64 = 1.0;
 
 /// Packed envelopes of all waves, and the variance of their sum.
 pub(super) struct Envelopes {
@@ -68,18 +72,22 @@ impl Envelopes {
     }
 
     /// Continues a wave over the shore: at each of its points the envelope is the mean of those around that are
-    /// nearer to the open water. So the wave goes on as its carrier does, whose phase in each column is `phase_rad`, but
-    /// with the wave number of the shore, and with the delay of its lobes.
-    pub(super) fn continue_ashore(&mut self, index: usize, wave: &Wave, shore: &Shore, phase_rad: &[f64]) {
+    /// nearer to the open water. It turns as the wave does against the carrier of its group, with the delay of the
+    /// lobes.
+    pub(super) fn continue_ashore(&mut self, index: usize, wave: &Wave, group: &WaveGroup, shore: &Shore) {
+        let columns = self.columns;
         let out = &mut self.packed[index * self.points..(index + 1) * self.points];
         for place in &shore.places {
             let mut sum = Complex::ZERO;
             for (source, weight) in &place.sources {
+                let [to, from] = [place.point % columns, source % columns];
+                let slowness_s_m = 0.5 * (shore.slowness_s_m[place.point] + shore.slowness_s_m[*source]);
+                let kx_rad_m = wave_number_along_x(wave.omega_rad_s * slowness_s_m, group.ky_rad_m);
+                let run_rad = kx_rad_m * (to as f64 - from as f64) * self.cell_m;
+                let carried_rad = group.column_phase_rad[to] - group.column_phase_rad[from];
+                let turn_rad = (run_rad - carried_rad).clamp(-MAX_TURN_RAD, MAX_TURN_RAD);
                 let since_s = shore.delay_s[place.point] - shore.delay_s[*source];
-                let carried_rad = phase_rad[place.point % self.columns] - phase_rad[*source % self.columns];
-                let wave_number = 0.5 * (shore.wave_number[place.point] + shore.wave_number[*source]);
-                let turn_rad = wave.omega_rad_s * since_s + (wave_number - 1.0) * carried_rad;
-                sum += unpack(out[*source]) * Complex::polar(*weight, turn_rad);
+                sum += unpack(out[*source]) * Complex::polar(*weight, turn_rad + wave.omega_rad_s * since_s);
             }
             out[place.point] = pack(sum);
             self.continued_m2[place.point] += 0.5 * wave.open_amplitude_m.powi(2) * sum.norm_squared();

@@ -6,9 +6,9 @@
 //! divided again and again.
 
 use super::WaveGroup;
-use super::shore::ShoreDepths;
+use super::shore::ShoreWaves;
 use crate::coast::bathymetry::Bathymetry;
-use crate::coast::field::{Carrier, wave_number_along_x};
+use crate::coast::field::wave_number_along_x;
 use crate::coast::incident::Incident;
 use crate::coast::local_wave::LocalWave;
 
@@ -89,40 +89,66 @@ impl Spread {
     }
 }
 
-/// The depth of each column over which the carriers refract, m: that in which a long wave has the mean wave number of
-/// the waves in the column's water, and on its land as far as the swash comes. Where there is neither, the carriers go on
-/// as the swash does.
-pub(super) fn carrier_profile_m(grid: &Bathymetry, depths: ShoreDepths) -> Vec<f64> {
+/// What the carriers run over in a column of the grid.
+pub(super) struct Column {
+    /// Depth, m, in which a long wave has the mean wave number of the column's water of at least the least depth.
+    depth_m: f64,
+    /// Share of that water; the rest is shore.
+    wet_share: f64,
+    /// Mean time in which waves run a metre of that shore, s. A column of high land has that of the swash.
+    slowness_s_m: f64,
+}
+
+impl Column {
+    fn wave_number(&self, omega_rad_s: f64, gravity_m_s2: f64) -> f64 {
+        let wet = LocalWave::new(omega_rad_s, self.depth_m, gravity_m_s2).k;
+        self.wet_share * wet + (1.0 - self.wet_share) * omega_rad_s * self.slowness_s_m
+    }
+}
+
+/// The columns of a grid whose shore has the waves `shore`.
+pub(super) fn columns(grid: &Bathymetry, shore: ShoreWaves) -> Vec<Column> {
     let column = |i: usize| {
-        let reached = (0..grid.rows).map(|j| grid.at(i, j)).filter(|depth_m| *depth_m > -depths.reach_m);
-        let (count, sum) = reached
-            .fold((0.0, 0.0), |(count, sum), depth_m| (count + 1.0, sum + depths.of_waves_m(depth_m).powf(-0.5)));
-        if count > 0.0 { (count / sum).powi(2) } else { depths.swash_m }
+        let (mut wet, mut wet_sum, mut shallow, mut slowness_sum) = (0.0, 0.0, 0.0, 0.0);
+        for depth_m in (0..grid.rows).map(|j| grid.at(i, j)) {
+            if depth_m >= shore.least_depth_m {
+                (wet, wet_sum) = (wet + 1.0, wet_sum + depth_m.powf(-0.5));
+            } else if depth_m > -shore.reach_m {
+                (shallow, slowness_sum) = (shallow + 1.0, slowness_sum + shore.slowness_at_s_m(depth_m));
+            }
+        }
+        Column {
+            depth_m: if wet > 0.0 { f64::powi(wet / wet_sum, 2) } else { shore.least_depth_m },
+            wet_share: if wet > 0.0 { wet / (wet + shallow) } else { 0.0 },
+            slowness_s_m: if shallow > 0.0 { slowness_sum / shallow } else { shore.slowness_s_m[1] },
+        }
     };
     (0..grid.columns).map(column).collect()
 }
 
 /// The group of `members`, waves at the edge of the grid with their variance (m^2), of which the first has the index
-/// `first_wave`.
+/// `first_wave`. Its carrier refracts over the columns.
 pub(super) fn group(
     members: &[(Incident, f64)],
     first_wave: usize,
     edge_depth_m: f64,
-    profile_m: &[f64],
+    columns: &[Column],
     cell_m: f64,
     gravity_m_s2: f64,
 ) -> WaveGroup {
-    let k = |omega: f64, depth_m: f64| LocalWave::new(omega, depth_m, gravity_m_s2).k;
     let mut sums = [0.0; 3];
     for (wave, variance_m2) in members {
         let weight = variance_m2.max(f64::MIN_POSITIVE);
-        let ky = k(wave.omega_rad_s, edge_depth_m) * wave.direction_rad.sin();
+        let k = LocalWave::new(wave.omega_rad_s, edge_depth_m, gravity_m_s2).k;
+        let ky = k * wave.direction_rad.sin();
         sums = [sums[0] + weight, sums[1] + weight * wave.omega_rad_s, sums[2] + weight * ky];
     }
-    let (omega_rad_s, ky) = (sums[1] / sums[0], sums[2] / sums[0]);
-    // The carrier takes its direction over the first depth of the profile.
-    let direction_rad = (ky / k(omega_rad_s, profile_m[0])).clamp(-1.0, 1.0).asin();
-    let middle = Incident { omega_rad_s, direction_rad, ..Incident::default() };
-    let carrier = Carrier::new(&middle, profile_m, cell_m, gravity_m_s2);
-    WaveGroup { first_wave, wave_count: members.len(), ky_rad_m: carrier.ky_rad_m, column_phase_rad: carrier.phase_rad }
+    let (omega_rad_s, ky_rad_m) = (sums[1] / sums[0], sums[2] / sums[0]);
+    let along_x = |column: &Column| wave_number_along_x(column.wave_number(omega_rad_s, gravity_m_s2), ky_rad_m);
+    let kx_rad_m: Vec<f64> = columns.iter().map(along_x).collect();
+    let mut column_phase_rad = vec![0.0];
+    for pair in kx_rad_m.windows(2) {
+        column_phase_rad.push(column_phase_rad[column_phase_rad.len() - 1] + 0.5 * cell_m * (pair[0] + pair[1]));
+    }
+    WaveGroup { first_wave, wave_count: members.len(), ky_rad_m, column_phase_rad }
 }

@@ -2,8 +2,8 @@
 
 use super::SeaAtPoint;
 use super::setup::Setup;
-use super::shore::{Shore, neighbours};
-use super::swash::{Swash, smooth_step};
+use super::shore::{Shore, neighbours, smooth_step};
+use super::swash::Swash;
 use crate::coast::bathymetry::Bathymetry;
 use crate::coast::incident::Incident;
 use crate::coast::local_wave::LocalWave;
@@ -105,7 +105,7 @@ fn short_gain(setup: &Setup, short: &ShortWaves<'_>) -> Vec<f64> {
     let mut out: Vec<f64> = (0..grid.depth_m.len()).map(|p| if is_wet(p) { gain(p) } else { 0.0 }).collect();
     smooth(grid, &mut out, is_wet);
     for (point, gain) in out.iter_mut().enumerate() {
-        *gain *= smooth_step(f64::from(grid.depth_m[point]) / setup.shore.least_m);
+        *gain *= smooth_step(f64::from(grid.depth_m[point]) / setup.shore.least_depth_m);
     }
     out
 }

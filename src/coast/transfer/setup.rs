@@ -1,7 +1,7 @@
 //! What a transfer is made of: the grid, the waves and their groups, and the sea that breaks.
 
-use super::groups::{carrier_profile_m, divide, group};
-use super::shore::ShoreDepths;
+use super::groups::{columns, divide, group};
+use super::shore::ShoreWaves;
 use super::{LatticeKey, TransferLimits, WaveGroup};
 use crate::coast::bathymetry::Bathymetry;
 use crate::coast::incident::{
@@ -32,7 +32,8 @@ const SHORTEST_CELLS: [f64; 2] = [2.5, 6.0];
 const MAX_PHASE_PER_CELL: f64 = 1.3;
 /// Length of a wave at the shore, in texels.
 const SHORE_WAVE_TEXELS: f64 = 3.0;
-/// Slope of the surface of the swash, relative to that of the foreshore, which is steepest at the waterline.
+/// Largest slope of the surface of the swash, relative to that of the foreshore at the waterline. Higher up, beaches
+/// are flatter.
 const SWASH_SLOPE: f64 = 0.5;
 /// Limits of the least depth of carriers, m.
 const LEAST_DEPTH_M: [f64; 2] = [0.3, 1.5];
@@ -68,9 +69,7 @@ pub(super) struct Setup {
     /// Run-up of the sea; `None` without a shore.
     pub(super) run_up: Option<RunUp>,
     /// How the waves run over the shore.
-    pub(super) shore: ShoreDepths,
-    /// Depths of the columns over which the carriers refract, m.
-    pub(super) profile_m: Vec<f64>,
+    pub(super) shore: ShoreWaves,
 }
 
 impl Setup {
@@ -106,15 +105,18 @@ impl Setup {
         let hs_m = 4.0 * bins.iter().map(Incident::variance_m2).sum::<f64>().sqrt();
         let tp_s = TAU / plan.omega_p;
         let run_up = foreshore.map(|slope| RunUp::new(hs_m, gravity_m_s2 * tp_s * tp_s / TAU, slope));
-        let least_m = least_depth_m(&waves, texel_m, gravity_m_s2);
-        let shore = ShoreDepths {
-            least_m,
-            swash_m: run_up
-                .zip(foreshore)
-                .map_or(0.0, |(run_up, slope)| swash_depth_m(&run_up, slope, TAU / tp_s, gravity_m_s2))
-                .max(least_m),
-            // Twice the standard deviation of the swash above the mean level: half the height, and as much for rare waves.
+        let least_depth_m = least_depth_m(&waves, texel_m, gravity_m_s2);
+        let slowest_s_m = 1.0 / (gravity_m_s2 * least_depth_m).sqrt();
+        let swash_s_m = match (&run_up, foreshore) {
+            (Some(run_up), Some(slope)) => swash_slowness_s_m(run_up, slope, plan.omega_p).min(slowest_s_m),
+            _ => slowest_s_m,
+        };
+        let shore = ShoreWaves {
+            least_depth_m,
+            // Twice the standard deviation of the swash above the mean level: half the height, and as much for rare
+            // waves.
             reach_m: run_up.map_or(0.0, |run_up| run_up.set_up_m + run_up.swash_m),
+            slowness_s_m: [slowest_s_m, swash_s_m],
         };
         let mut out = Self {
             solver,
@@ -126,7 +128,6 @@ impl Setup {
             bins: bins.iter().filter_map(|bin| arrival.arriving(bin)).collect(),
             reflection: reflection(coast, plan.hs_m(), tp_s, gravity_m_s2),
             run_up,
-            profile_m: carrier_profile_m(&coast.bathymetry, shore),
             shore,
             grid: coast.bathymetry.clone(),
         };
@@ -137,13 +138,14 @@ impl Setup {
     /// Sorts the waves into groups.
     fn group(&mut self, waves: &[Wave], edge_depth_m: f64, max_groups: usize) {
         let (cell_m, gravity_m_s2) = (self.grid.cell_m, self.options.gravity_m_s2);
+        let columns = columns(&self.grid, self.shore);
         let weighted: Vec<(Incident, f64)> =
             waves.iter().map(|wave| (wave.incident, 0.5 * wave.open_amplitude_m.powi(2))).collect();
         for members in divide(&weighted, edge_depth_m, cell_m, gravity_m_s2, max_groups) {
             let of_group: Vec<(Incident, f64)> = members.iter().map(|w| weighted[*w]).collect();
             let first = self.waves.len();
             let index = self.groups.len() as u32;
-            self.groups.push(group(&of_group, first, edge_depth_m, &self.profile_m, cell_m, gravity_m_s2));
+            self.groups.push(group(&of_group, first, edge_depth_m, &columns, cell_m, gravity_m_s2));
             self.waves.extend(members.iter().map(|w| Wave { group: index, ..waves[*w] }));
         }
     }
@@ -220,11 +222,10 @@ fn least_depth_m(waves: &[Wave], texel_m: f64, gravity_m_s2: f64) -> f64 {
     (velocity_m_s * velocity_m_s / gravity_m_s2).clamp(LEAST_DEPTH_M[0], LEAST_DEPTH_M[1])
 }
 
-/// Depth, m, in which a long wave is as fast as the swash of `run_up` is on a foreshore of the slope `slope`. Swash on a
-/// beach rises and falls as a whole: its surface never falls more steeply towards the sea than the beach does, or its
-/// crests would be cut off from the sea. A wave of the angular frequency `omega_rad_s` and half the swash's height stays
-/// below a part of that slope if it is so long.
-fn swash_depth_m(run_up: &RunUp, slope: f64, omega_rad_s: f64, gravity_m_s2: f64) -> f64 {
-    let velocity_m_s = omega_rad_s * 0.5 * run_up.swash_m / (SWASH_SLOPE * slope);
-    velocity_m_s * velocity_m_s / gravity_m_s2
+/// Time, s, in which the waves of the swash of `run_up` run a metre of a foreshore of the slope `slope`. Swash rises
+/// and falls on a beach as a whole. If its surface fell more steeply towards the sea than the beach, crests would be
+/// cut off from the sea. With this time, the surface of a wave of the sea's peak frequency `omega_rad_s`, whose
+/// amplitude is half the height of the swash, has at most the slope `SWASH_SLOPE` relative to that of the foreshore.
+fn swash_slowness_s_m(run_up: &RunUp, slope: f64, omega_rad_s: f64) -> f64 {
+    SWASH_SLOPE * slope / (omega_rad_s * 0.5 * run_up.swash_m).max(f64::MIN_POSITIVE)
 }

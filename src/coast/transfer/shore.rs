@@ -1,6 +1,5 @@
 //! Where the waves go on beyond the water that the solvers treat: over the shallowest water, and up the beach.
 
-use super::swash::smooth_step;
 use crate::coast::bathymetry::Bathymetry;
 use std::f64::consts::TAU;
 
@@ -10,32 +9,28 @@ use std::f64::consts::TAU;
 const LOBE_DELAY_S: f64 = 1.3;
 const LOBES: [[f64; 3]; 3] = [[127.0, 0.4, 0.3], [71.0, 0.35, 2.1], [43.0, 0.25, 4.4]];
 
-/// How fast waves run where the shore is shallow or dry.
+/// How waves run where the shore is shallow or dry: from the least depth to the waterline they become swash.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct ShoreDepths {
+pub(super) struct ShoreWaves {
     /// Depth, m, below which waves are no longer those of the solvers.
-    pub(super) least_m: f64,
-    /// Depth, m, in which a long wave is as fast as the swash is on the beach.
-    pub(super) swash_m: f64,
+    pub(super) least_depth_m: f64,
     /// Height, m, of land up to which the swash may come.
     pub(super) reach_m: f64,
+    /// Times, s, in which waves run a metre: in the least depth, and from the waterline on.
+    pub(super) slowness_s_m: [f64; 2],
 }
 
-impl ShoreDepths {
+impl ShoreWaves {
     /// How far waves have become swash where the water is `depth_m` (m) deep: 0 from the least depth on, 1 from the
     /// waterline on.
     fn swash_share(&self, depth_m: f64) -> f64 {
-        smooth_step(1.0 - depth_m / self.least_m)
+        smooth_step(1.0 - depth_m / self.least_depth_m)
     }
 
-    /// Depth, m, in which a long wave is as fast as the waves are where the water is `depth_m` (m) deep, or where the
-    /// land is `-depth_m` high: between the least depth and the waterline the waves become those of the swash.
-    pub(super) fn of_waves_m(&self, depth_m: f64) -> f64 {
-        if depth_m >= self.least_m {
-            return depth_m;
-        }
-        let swash = self.swash_share(depth_m);
-        ((1.0 - swash) * self.least_m.powf(-0.5) + swash * self.swash_m.powf(-0.5)).powi(-2)
+    /// Time, s, in which waves run a metre where the water is `depth_m` (m) deep; at most the least depth counts.
+    pub(super) fn slowness_at_s_m(&self, depth_m: f64) -> f64 {
+        let share = self.swash_share(depth_m);
+        (1.0 - share) * self.slowness_s_m[0] + share * self.slowness_s_m[1]
     }
 }
 
@@ -44,8 +39,8 @@ pub(super) struct Shore {
     pub(super) places: Vec<Place>,
     /// How much later waves come to a point than they would without the lobes of the beach, s, of all points of the grid.
     pub(super) delay_s: Vec<f64>,
-    /// Wave number along x of the waves at all points of the grid, relative to that of the carriers in their column.
-    pub(super) wave_number: Vec<f64>,
+    /// Time in which the waves run a metre, s, at all points of the grid; in open water that of the least depth.
+    pub(super) slowness_s_m: Vec<f64>,
 }
 
 /// A point of the shore.
@@ -59,18 +54,14 @@ pub(super) struct Place {
 
 impl Shore {
     /// The shore of a grid: water shallower than the least depth, land in reach of the swash, and the first points of
-    /// higher land, between which and the water the waves are interpolated. The carriers of the waves refract over the
-    /// depths `profile_m` (m) of the columns.
-    pub(super) fn new(grid: &Bathymetry, depths: ShoreDepths, profile_m: &[f64]) -> Self {
-        let mut is_reached: Vec<bool> = grid.depth_m.iter().map(|h| f64::from(*h) >= depths.least_m).collect();
-        let wave_number = |(point, depth_m): (usize, &f32)| {
-            (profile_m[point % grid.columns] / depths.of_waves_m(f64::from(*depth_m))).sqrt()
-        };
+    /// higher land, between which and the water the waves are interpolated.
+    pub(super) fn new(grid: &Bathymetry, waves: ShoreWaves) -> Self {
+        let mut is_reached: Vec<bool> = grid.depth_m.iter().map(|h| f64::from(*h) >= waves.least_depth_m).collect();
         let mut places = Vec::new();
         loop {
             let mut layer = Vec::new();
             for point in (0..is_reached.len()).filter(|point| !is_reached[*point]) {
-                let is_low = |at: usize| f64::from(grid.depth_m[at]) > -depths.reach_m;
+                let is_low = |at: usize| f64::from(grid.depth_m[at]) > -waves.reach_m;
                 let can_come = |at: &usize| is_reached[*at] && (is_low(*at) || is_low(point));
                 let around: Vec<usize> = neighbours(grid, point).filter(can_come).collect();
                 if !around.is_empty() {
@@ -78,8 +69,9 @@ impl Shore {
                 }
             }
             if layer.is_empty() {
-                let wave_number = grid.depth_m.iter().enumerate().map(wave_number).collect();
-                return Self { places, delay_s: delays_s(grid, depths), wave_number };
+                let slowness_s_m =
+                    grid.depth_m.iter().map(|depth_m| waves.slowness_at_s_m(f64::from(*depth_m))).collect();
+                return Self { places, delay_s: delays_s(grid, waves), slowness_s_m };
             }
             layer.iter().for_each(|place| is_reached[place.point] = true);
             places.extend(layer);
@@ -96,13 +88,19 @@ impl Shore {
 }
 
 /// Delays of the waves, s, at the points of a grid: 0 where they are not yet swash, and whole from the waterline on.
-fn delays_s(grid: &Bathymetry, depths: ShoreDepths) -> Vec<f64> {
+fn delays_s(grid: &Bathymetry, waves: ShoreWaves) -> Vec<f64> {
     let lobes = |y_m: f64| LOBES.iter().map(|[length_m, share, rad]| share * (TAU * y_m / length_m + rad).sin()).sum();
     let rows: Vec<f64> = (0..grid.rows).map(|j| lobes(j as f64 * grid.cell_m)).collect();
     let delay = |(point, depth_m): (usize, &f32)| {
-        LOBE_DELAY_S * rows[point / grid.columns] * depths.swash_share(f64::from(*depth_m))
+        LOBE_DELAY_S * rows[point / grid.columns] * waves.swash_share(f64::from(*depth_m))
     };
     grid.depth_m.iter().enumerate().map(delay).collect()
+}
+
+/// Rises smoothly from 0 at 0 to 1 at 1.
+pub(super) fn smooth_step(t: f64) -> f64 {
+    let t = t.clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
 }
 
 /// The indices of the up to eight points around a point.
@@ -133,14 +131,19 @@ mod tests {
     #[test]
     fn the_shore_reaches_from_shallow_water_up_to_the_run_up() {
         let grid = Bathymetry::from_fn(30, 12, 5.0, |x, y| if y < 30.0 { 5.0 - 0.1 * x } else { 5.0 - 0.1 * x - 9.0 });
-        let depths = ShoreDepths { least_m: 1.0, swash_m: 9.0, reach_m: 2.0 };
-        let shore = Shore::new(&grid, depths, &[4.0; 30]);
+        let waves = ShoreWaves { least_depth_m: 1.0, reach_m: 2.0, slowness_s_m: [0.3, 0.1] };
+        let shore = Shore::new(&grid, waves);
         let place = |i: usize, j: usize| shore.places.iter().position(|place| place.point == j * 30 + i);
         // Depths of row 2: 1.0 at column 8, 0.5 at 9, 0 at 10, -2 at 14, -2.5 at 15.
         assert!(place(8, 2).is_none() && place(9, 2).is_some() && place(9, 2) < place(10, 2));
         assert!(place(13, 2).is_some() && place(14, 2).is_some() && place(15, 2).is_none());
         // The cliff is 4 m high at the sea's edge of the grid: only its first row beside the water is reached.
         assert!(place(3, 6).is_some() && place(3, 7).is_none());
+        // Half of the way from the least depth to the waterline, waves are half swash.
+        let slowness_s_m = [3, 9, 10, 12].map(|i| shore.slowness_s_m[60 + i]);
+        for (got, want) in slowness_s_m.into_iter().zip([0.3, 0.2, 0.1, 0.1]) {
+            assert!((got - want).abs() < 1e-6, "{slowness_s_m:?}");
+        }
         for place in &shore.places {
             let sum: f64 = place.sources.iter().map(|source| source.1).sum();
             assert!((sum - 1.0).abs() < 1e-12 && !place.sources.is_empty());

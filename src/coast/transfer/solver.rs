@@ -111,8 +111,8 @@ impl TransferSolver {
             }
             Stage::Ashore(ashore, next) if next < waves => {
                 let wave = &self.setup.waves[next];
-                let phase_rad = &self.setup.groups[wave.group as usize].column_phase_rad;
-                self.envelopes.continue_ashore(next, wave, &ashore.shore, phase_rad);
+                let group = &self.setup.groups[wave.group as usize];
+                self.envelopes.continue_ashore(next, wave, group, &ashore.shore);
                 self.stage = Stage::Ashore(ashore, next + 1);
                 SOLVED + 0.5 * (1.0 - SOLVED) * of_waves(next)
             }
@@ -190,8 +190,7 @@ impl TransferSolver {
     }
 
     fn go_ashore(&self, sea: Dissipation) -> Stage {
-        let Setup { grid, shore, profile_m, .. } = &self.setup;
-        let shore = Shore::new(grid, *shore, profile_m);
+        let shore = Shore::new(&self.setup.grid, self.setup.shore);
         let swash = Swash::new(&self.setup, &sea, &self.envelopes.variance_m2, &shore);
         Stage::Ashore(Box::new(Ashore { sea, shore, swash, factors: Vec::new() }), 0)
     }
@@ -211,7 +210,7 @@ impl TransferSolver {
 
     /// Depth, m, from which the waves are neither continued ashore nor raised to the swash.
     fn open_from_m(&self, ashore: &Ashore) -> f64 {
-        self.setup.shore.least_m.max(ashore.swash.begin_m)
+        self.setup.shore.least_depth_m.max(ashore.swash.begin_m)
     }
 
     fn transfer(&mut self, ashore: &Ashore) -> Transfer {

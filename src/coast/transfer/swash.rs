@@ -5,7 +5,7 @@
 //! corners the swash is no higher than the waves nearby allow.
 
 use super::setup::Setup;
-use super::shore::{Shore, neighbours};
+use super::shore::{Shore, neighbours, smooth_step};
 use crate::coast::bathymetry::Bathymetry;
 use crate::coast::losses::Dissipation;
 use std::collections::VecDeque;
@@ -115,10 +115,4 @@ fn highest_nearby_m(grid: &Bathymetry, height_m: &[f64], point: usize, cells: us
         }
     }
     highest
-}
-
-/// Rises smoothly from 0 at 0 to 1 at 1.
-pub(super) fn smooth_step(t: f64) -> f64 {
-    let t = t.clamp(0.0, 1.0);
-    t * t * (3.0 - 2.0 * t)
 }
