@@ -185,9 +185,9 @@ fn answer(q: Question) -> Answer {
 }
 ";
 
-/// For rays from the water towards the ridge of `shaders`: the tangents of the elevations of the ray and of the
+/// For rays from the water towards the ridge, which spread by `blur` times the height of the ridge, by `shaders`: the tangents of the elevations of the ray and of the
 /// ridge as seen from there, the visible fraction of the sun, and the share of mirrored rays that meet the ridge.
-fn rays_towards_a_ridge(shaders: Shaders) -> Vec<[f64; 4]> {
+fn rays_towards_a_ridge(shaders: Shaders, blur: f64) -> Vec<[f64; 4]> {
     let (gpu, coast) = (common::gpu(), ridge());
     let size = [64, 64];
     let (ocean, scene) = flat_scene(&gpu, "x=200&z=400", &coast, size);
@@ -223,7 +223,7 @@ fn rays_towards_a_ridge(shaders: Shaders) -> Vec<[f64; 4]> {
         let eye = [scene.view.eye.x, scene.view.eye.z];
         let ray = glam::DVec3::new(cos, rise, sin).normalize();
         questions
-            .push([[x - eye[0], z - eye[1], 0.0, 0.02 * top], [ray.x, ray.y, ray.z, 0.0]].map(|v| v.map(|v| v as f32)));
+            .push([[x - eye[0], z - eye[1], 0.0, blur * top], [ray.x, ray.y, ray.z, 0.0]].map(|v| v.map(|v| v as f32)));
         expected.push([rise, top]);
     }
     let answers = kernel.ask(&questions);
@@ -232,7 +232,7 @@ fn rays_towards_a_ridge(shaders: Shaders) -> Vec<[f64; 4]> {
 
 #[test]
 fn land_hides_the_sun_and_is_mirrored_up_to_its_height() {
-    let rays = rays_towards_a_ridge(shaders());
+    let rays = rays_towards_a_ridge(shaders(), 0.02);
     // The penumbra is 0.022 wide on either side. The rays take long steps, and the ridge has hummocks.
     let wrong = |rays: &[[f64; 4]]| {
         let is_wrong = |[rise, top, sun, met]: &&[f64; 4]| {
@@ -250,9 +250,26 @@ fn land_hides_the_sun_and_is_mirrored_up_to_its_height() {
         ("(rise - horizon.rise) *", "(rise - 0.5 * horizon.rise) *"),
     ] {
         let faulty = shaders().patched("water/light", fault.0, fault.1);
-        let found = wrong(&rays_towards_a_ridge(faulty));
+        let found = wrong(&rays_towards_a_ridge(faulty, 0.02));
         assert!(found > 20, "{fault:?}: {found} wrong rays");
     }
+}
+
+/// Rays that spread widely below and above the level: of those above it, a part meets the ridge. The others meet other
+/// waves, which are taken to mirror the ridge as often.
+#[test]
+fn rough_water_mirrors_the_land_with_the_rays_above_the_level() {
+    let is_wrong = |[rise, top, _, met]: &&[f64; 4]| {
+        let density = |tangent: f64| (-0.5 * ((tangent - rise) / top).powi(2)).exp();
+        let sum = |to: f64| (0..2000).map(|i| to / 2000.0 * density(to * (f64::from(i) + 0.5) / 2000.0)).sum::<f64>();
+        (met - sum(*top) / sum(rise + 7.0 * top)).abs() > 0.1
+    };
+    let wrong = |shaders: Shaders| rays_towards_a_ridge(shaders, 1.0).iter().filter(is_wrong).count();
+    // The long steps of nearly level rays miss the top of the ridge by up to a quarter.
+    let few = wrong(shaders());
+    assert!(few < 8, "{few} wrong rays");
+    let found = wrong(shaders().patched("water/light", "/ (1.0 - below);", ";"));
+    assert!(found > 80, "{found} wrong rays");
 }
 
 /// Heights above the still water, m, and linear light of the pixels of a picture.

@@ -62,7 +62,7 @@ fn spray_lip(map: FrameCascade, place: vec2f, t: f32, phase: f32) -> SprayLip {
 fn spray_birth_of_surf(map: FrameCascade, gain: f32, place: vec2f, t: f32, random: vec4f) -> SprayBirth {
   var out: SprayBirth;
   let uv = map.uv_below_eye + place * map.inverse_patch;
-  let over = gain * textureSampleLevel(displacement_map, nearest_mip_sampler, uv, map.layer + 1u, 0.0).z;
+  let over = gain * surf_at(map.layer, uv).z;
   if over < SPRAY_SURF_NEAR {
     return out;
   }

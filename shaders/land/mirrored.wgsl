@@ -20,9 +20,10 @@ fn land_mirrored(mirror: WaterMirror, place: vec2f, height: f32, rays: WaterMirr
   if horizon.rise > 0.0 {
     let sharp = inverseSqrt(rays.blur.y * rays.blur.y + 1e-6);
     let low = -rise * sharp;
-    // Rays below the level meet other waves, which mirror the land as often.
+    // Rays below the level, less than half of them, meet other waves. These are taken to mirror the land as often as the
+    // rays above the level meet it.
     let below = maths_normal_cdf(low);
-    let met = (maths_normal_cdf(low + horizon.rise * sharp) - below) / max(1.0 - below, 1e-3);
+    let met = (maths_normal_cdf(low + horizon.rise * sharp) - below) / (1.0 - below);
     let at = place + toward * horizon.far_m;
     let radiance = land_far_radiance(at, land_at(at, land_lod(0.25 * horizon.far_m)));
     out.radiance = mix(mirror.radiance, (mirror.reflectance * material.sky_reflection) * radiance, met);

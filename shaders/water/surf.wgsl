@@ -70,12 +70,12 @@ fn surf_shape(phase: f32, form: vec2f) -> vec2f {
   return vec2f(forward, up);
 }
 
-// Half the complex amplitude (xy), m, of the waves of a coast's layer, and depth (w), m, at texture coordinates.
+// The layer behind that of a coast's waves, as `here` of SurfWave holds it, in the texel at texture coordinates.
 fn surf_at(layer: u32, uv: vec2f) -> vec4f {
   return textureSampleLevel(displacement_map, nearest_mip_sampler, uv, layer + 1u, 0.0);
 }
 
-// Change of the phase, rad/m (x), of the amplitude, relative to it (y), and of the depth (z), where half the complex
+// Change of the phase, rad/m (x), of the amplitude, relative to it (y), and of the depth, m/m (z), where half the complex
 // amplitude is `here`, and `before` and `after` are values of surf_at a texel to each side. Steps of one texel are
 // shorter than half a wave.
 fn surf_change(before: vec4f, here: vec2f, after: vec4f, texels_per_m: f32) -> vec3f {

@@ -7,8 +7,8 @@ use super::shore::Shore;
 use crate::coast::complex::Complex;
 use crate::coast::field::{ComponentField, wave_number_along_x};
 
-/// Largest turn of an envelope between two points of the shore, rad. Drawn linearly between them, the envelope loses an
-/// eighth of the turn's square in the middle.
+/// Largest turn of an envelope between two points of the shore, rad, without the delay of the lobes. Drawn linearly
+/// between them, the envelope loses an eighth of the turn's square in the middle.
 const MAX_TURN_RAD: f64 = 1.0;
 
 /// Packed envelopes of all waves, and the variance of their sum.
@@ -72,8 +72,8 @@ impl Envelopes {
     }
 
     /// Continues a wave over the shore: at each of its points the envelope is the mean of those around that are
-    /// nearer to the open water. It turns as the wave does against the carrier of its group, with the delay of the
-    /// lobes.
+    /// nearer to the open water. It turns by the phase that the wave gains along x on the carrier of its group, and by
+    /// the delay of the lobes.
     pub(super) fn continue_ashore(&mut self, index: usize, wave: &Wave, group: &WaveGroup, shore: &Shore) {
         let columns = self.columns;
         let out = &mut self.packed[index * self.points..(index + 1) * self.points];

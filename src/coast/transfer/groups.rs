@@ -93,7 +93,7 @@ impl Spread {
 pub(super) struct Column {
     /// Depth, m, in which a long wave has the mean wave number of the column's water of at least the least depth.
     depth_m: f64,
-    /// Share of that water; the rest is shore.
+    /// Share of that water in the column without its high land; the rest is shore.
     wet_share: f64,
     /// Mean time in which waves run a metre of that shore, s. A column of high land has that of the swash.
     slowness_s_m: f64,

@@ -8,8 +8,8 @@
 //! open sea times `SeaAtPoint::short_gain`.
 //!
 //! T turns quickly in space, so it is stored against the phase of a carrier: T = envelope e^(i phase). Waves of similar
-//! frequency and direction form a group, which has one carrier: a wave that refracts over the depth averaged along the
-//! shore. Its phase at column x and row y (m) is `column_phase_rad`(x) + `ky_rad_m` y. Between the points of the grid,
+//! frequency and direction form a group, which has one carrier: a wave that has in each column of the grid the mean
+//! wave number of its water and its shore. Its phase at column x and row y (m) is `column_phase_rad`(x) + `ky_rad_m` y. Between the points of the grid,
 //! envelopes and phases are linear.
 
 mod envelopes;

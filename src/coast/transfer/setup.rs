@@ -32,10 +32,10 @@ const SHORTEST_CELLS: [f64; 2] = [2.5, 6.0];
 const MAX_PHASE_PER_CELL: f64 = 1.3;
 /// Length of a wave at the shore, in texels.
 const SHORE_WAVE_TEXELS: f64 = 3.0;
-/// Largest slope of the surface of the swash, relative to that of the foreshore at the waterline. Higher up, beaches
-/// are flatter.
+/// Largest slope of the surface of the swash, relative to that of the foreshore at the waterline: half of it, because
+/// beaches are flatter higher up.
 const SWASH_SLOPE: f64 = 0.5;
-/// Limits of the least depth of carriers, m.
+/// Limits of the depth, m, from which waves go on ashore by themselves.
 const LEAST_DEPTH_M: [f64; 2] = [0.3, 1.5];
 
 /// A wave of the open sea that a transfer holds.
@@ -107,6 +107,7 @@ impl Setup {
         let run_up = foreshore.map(|slope| RunUp::new(hs_m, gravity_m_s2 * tp_s * tp_s / TAU, slope));
         let least_depth_m = least_depth_m(&waves, texel_m, gravity_m_s2);
         let slowest_s_m = 1.0 / (gravity_m_s2 * least_depth_m).sqrt();
+        // Waves never become shorter than in the least depth.
         let swash_s_m = match (&run_up, foreshore) {
             (Some(run_up), Some(slope)) => swash_slowness_s_m(run_up, slope, plan.omega_p).min(slowest_s_m),
             _ => slowest_s_m,
@@ -209,7 +210,7 @@ fn frequency_of(k: f64, near_rad_s: f64, depth_m: f64, gravity_m_s2: f64) -> f64
     omega
 }
 
-/// Least depth of carriers, m: a wave whose frequency is a fifth above the mean is some texels long there. It is near
+/// Depth, m, from which waves go on ashore by themselves: a wave whose frequency is a fifth above the mean is some texels long there. It is near
 /// enough to the height of bores, which run as fast as long waves in water of their height.
 fn least_depth_m(waves: &[Wave], texel_m: f64, gravity_m_s2: f64) -> f64 {
     let weight = |wave: &Wave| wave.open_amplitude_m.powi(2);

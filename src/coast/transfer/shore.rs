@@ -27,8 +27,11 @@ impl ShoreWaves {
         smooth_step(1.0 - depth_m / self.least_depth_m)
     }
 
-    /// Time, s, in which waves run a metre where the water is `depth_m` (m) deep; at most the least depth counts.
+    /// Time, s, in which long waves run a metre where the water is `depth_m` (m) deep.
     pub(super) fn slowness_at_s_m(&self, depth_m: f64) -> f64 {
+        if depth_m > self.least_depth_m {
+            return self.slowness_s_m[0] * (self.least_depth_m / depth_m).sqrt();
+        }
         let share = self.swash_share(depth_m);
         (1.0 - share) * self.slowness_s_m[0] + share * self.slowness_s_m[1]
     }
@@ -39,7 +42,7 @@ pub(super) struct Shore {
     pub(super) places: Vec<Place>,
     /// How much later waves come to a point than they would without the lobes of the beach, s, of all points of the grid.
     pub(super) delay_s: Vec<f64>,
-    /// Time in which the waves run a metre, s, at all points of the grid; in open water that of the least depth.
+    /// Time in which long waves run a metre, s, at all points of the grid.
     pub(super) slowness_s_m: Vec<f64>,
 }
 
@@ -139,9 +142,9 @@ mod tests {
         assert!(place(13, 2).is_some() && place(14, 2).is_some() && place(15, 2).is_none());
         // The cliff is 4 m high at the sea's edge of the grid: only its first row beside the water is reached.
         assert!(place(3, 6).is_some() && place(3, 7).is_none());
-        // Half of the way from the least depth to the waterline, waves are half swash.
-        let slowness_s_m = [3, 9, 10, 12].map(|i| shore.slowness_s_m[60 + i]);
-        for (got, want) in slowness_s_m.into_iter().zip([0.3, 0.2, 0.1, 0.1]) {
+        // In 4 times the least depth, waves are twice as fast. Half-way to the waterline, they are half swash.
+        let slowness_s_m = [2, 8, 9, 10, 12].map(|i| shore.slowness_s_m[60 + i]);
+        for (got, want) in slowness_s_m.into_iter().zip([0.15, 0.3, 0.2, 0.1, 0.1]) {
             assert!((got - want).abs() < 1e-6, "{slowness_s_m:?}");
         }
         for place in &shore.places {

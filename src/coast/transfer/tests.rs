@@ -179,8 +179,8 @@ fn the_beach_has_surf_and_swash() {
 
 /// The water that runs up the beach is joined to the sea: in at least 98 % of the rows and times, no water deeper than
 /// 2 cm lies on the sand behind its edge, seen from the sea. Its edge is higher than the run-up R2 of Stockdon et al.
-/// 2006 for about 2 % of the time: R2 is 1.1 times the mean level and two standard deviations, and a normal level is
-/// higher than 2.05 deviations for 2 % of the time.
+/// 2006 for about 2 % of the time: on such a beach R2 is 1.1 times the sum of the mean level and two standard
+/// deviations, and a normal level is higher than 2.05 deviations for 2 % of the time.
 #[test]
 fn the_swash_is_joined_to_the_sea() {
     let sea = plan("depth=12&wind=4&fetch=15&dir=255&scale2=1&hs2=2.2&tp2=10&dir2=245");
@@ -217,10 +217,10 @@ fn the_swash_is_joined_to_the_sea() {
             edges_m.push(edge_m);
         }
     }
-    let rows = edges_m.len();
-    assert!(rows > 150 && cut_off * 50 < rows, "{cut_off} of {rows} rows have water that is cut off");
+    let pairs = edges_m.len();
+    assert!(pairs > 150 && cut_off * 50 < pairs, "{cut_off} of {pairs} have water that is cut off");
     edges_m.sort_by(f64::total_cmp);
-    let highest_m = edges_m[rows * 98 / 100];
+    let highest_m = edges_m[pairs * 98 / 100];
     assert!((0.8..1.2).contains(&(highest_m / run_up.two_percent_m)), "{highest_m} m of {run_up:?}");
 }
 
