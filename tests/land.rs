@@ -185,8 +185,9 @@ fn answer(q: Question) -> Answer {
 }
 ";
 
-/// For rays from the water towards the ridge, which spread by `blur` times the height of the ridge, by `shaders`: the tangents of the elevations of the ray and of the
-/// ridge as seen from there, the visible fraction of the sun, and the share of mirrored rays that meet the ridge.
+/// For bundles of rays from the water towards the ridge: the tangents of the elevations of the middle ray and of the
+/// ridge as seen from there; and, by `shaders`, the visible fraction of the sun in the direction of that ray, and the
+/// share of the rays that meet the ridge. The tangents of the rays have a deviation of `blur` times that of the ridge.
 fn rays_towards_a_ridge(shaders: Shaders, blur: f64) -> Vec<[f64; 4]> {
     let (gpu, coast) = (common::gpu(), ridge());
     let size = [64, 64];

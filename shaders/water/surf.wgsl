@@ -89,7 +89,7 @@ fn surf_change(before: vec4f, here: vec2f, after: vec4f, texels_per_m: f32) -> v
 struct SurfWave {
   // Half the complex amplitude, m (xy); height relative to that from which the wave breaks (z); depth, m (w).
   here: vec4f,
-  // Changes along x and z of the phase, rad/m, of the amplitude, relative to it, 1/m, and of the depth.
+  // Changes along x and z of the phase, rad/m, of the amplitude, relative to it, 1/m, and of the depth, m/m.
   turn: vec2f,
   growth: vec2f,
   deepening: vec2f,
@@ -112,11 +112,10 @@ fn surf_wave(map: FrameCascade, at: vec2f) -> SurfWave {
   let uv = map.uv_below_eye + at * map.inverse_patch;
   let texel = vec2f(1.0 / frame.n, 0.0);
   let texels_per_m = frame.n * map.inverse_patch;
-  let along_x = surf_change(
-    surf_at(map.layer, uv - texel), here.xy, surf_at(map.layer, uv + texel), texels_per_m);
+  let along_x =
+    surf_change(surf_at(map.layer, uv - texel), here.xy, surf_at(map.layer, uv + texel), texels_per_m);
   let along_z = surf_change(
-    surf_at(map.layer, uv - texel.yx), here.xy, surf_at(map.layer, uv + texel.yx),
-    texels_per_m);
+    surf_at(map.layer, uv - texel.yx), here.xy, surf_at(map.layer, uv + texel.yx), texels_per_m);
   let turn = vec2f(along_x.x, along_z.x);
   let depth_m = max(here.w, SURF_LEAST_DEPTH_M);
   let wave_number = max(length(turn), SURF_LEAST_WAVE_NUMBER * inverseSqrt(depth_m));

@@ -89,7 +89,7 @@ impl Spread {
     }
 }
 
-/// What the carriers run over in a column of the grid.
+/// Means over a column of the grid, from which the wave numbers of the carriers in that column follow.
 pub(super) struct Column {
     /// Depth, m, in which a long wave has the mean wave number of the column's water of at least the least depth.
     depth_m: f64,

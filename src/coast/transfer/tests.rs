@@ -190,6 +190,7 @@ fn the_swash_is_joined_to_the_sea() {
     let run_up = setup::Setup::new(&sea, &coast, &limits).run_up.expect("a shore");
     let transfer = Arc::new(solved(&sea, &coast, &limits));
     let waves = CoastalWaves::new(transfer.clone(), &sea).expect("the same lattice");
+    let width_m = transfer.columns as f64 * transfer.cell_m;
     let (mut edges_m, mut cut_off) = (Vec::new(), 0);
     for step in 0..12 {
         let time = sea.period_fraction_u32(1000.0 + 7.3 * f64::from(step));
@@ -197,7 +198,6 @@ fn the_swash_is_joined_to_the_sea() {
             let y_m = row as f64 * transfer.cell_m;
             // From the waterline of the still water inland: height of the ground, and depth of the water on it.
             let (mut is_dry, mut edge_m) = (false, 0.0);
-            let width_m = transfer.columns as f64 * transfer.cell_m;
             let on_land = (0..width_m as u32)
                 .map(|i| transfer.world_m([f64::from(i), y_m]))
                 .map(|at| (at, transfer.gains(at)))
@@ -218,7 +218,10 @@ fn the_swash_is_joined_to_the_sea() {
         }
     }
     let pairs = edges_m.len();
-    assert!(pairs > 150 && cut_off * 50 < pairs, "{cut_off} of {pairs} have water that is cut off");
+    assert!(
+        pairs > 150 && cut_off * 50 < pairs,
+        "{cut_off} of {pairs} pairs of a row and a time have water that is cut off"
+    );
     edges_m.sort_by(f64::total_cmp);
     let highest_m = edges_m[pairs * 98 / 100];
     assert!((0.8..1.2).contains(&(highest_m / run_up.two_percent_m)), "{highest_m} m of {run_up:?}");
