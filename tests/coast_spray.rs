@@ -6,7 +6,7 @@ mod common;
 use common::wgsl;
 use seastate::coast::Transfer;
 use seastate::gpu::Gpu;
-use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
+use seastate::ocean::still::{PICTURE_FORMAT, present_and_read_back};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::render;
 use seastate::shaders::Shaders;
@@ -102,13 +102,17 @@ fn puffs_of_surf_are_born_on_the_lip_and_stay_born_there() {
 
 /// Number of pixels that spray changes in the picture of a state with a coast. `ocean` keeps the pipelines.
 fn sprayed(gpu: &Gpu, ocean: &mut Option<Ocean>, state: &str) -> usize {
-    let waves = transfer(state);
+    let params = |more: &str| common::params(&format!("{state}{more}&dither=0"));
+    let ocean = ocean.get_or_insert_with(|| Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &params("")));
+    ocean.set_params(&params(""));
+    // Both pictures show the same foam, which is computed once.
+    assert!(ocean.set_coast(Some(transfer(state))));
     let mut picture = |more: &str| {
-        let params = common::params(&format!("{state}{more}&dither=0"));
-        let ocean = ocean.get_or_insert_with(|| Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &params));
-        ocean.set_params(&params);
-        assert!(ocean.set_coast(Some(waves.clone())));
-        pollster::block_on(draw_ocean_picture(gpu, ocean, [240, 135])).expect("a picture")
+        ocean.set_params(&params(more));
+        let mut encoder = gpu.encoder("picture");
+        ocean.record_frame_with_complete_foam(&mut encoder, [240, 135]);
+        let picture = present_and_read_back(gpu, encoder, [240, 135], |pass| ocean.present(pass));
+        pollster::block_on(picture).expect("a picture")
     };
     let (without, with) = (picture(""), picture("&spray=1"));
     without.chunks(4).zip(with.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2)).count()
@@ -125,7 +129,7 @@ fn surf_throws_up_spray_in_any_wind_and_waves_burst_on_stone() {
     let [bursts, laps] = [2.6, 0.3].map(|hs_m| {
         let state = format!(
             "coast=harbour&depth=10.9&wind=3&fetch=10&dir=225&scale2=1&hs2={hs_m}&tp2=9&dir2=220&n=256&x=0&z=-5&y=4\
-             &heading=97&pitch=2&fov=36&t=40"
+             &heading=97&pitch=2&fov=36&t=48"
         );
         sprayed(&gpu, &mut ocean, &state)
     });

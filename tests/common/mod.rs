@@ -13,7 +13,7 @@ use seastate::gpu::{Gpu, device};
 use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::shaders::Shaders;
-use seastate::sim::{MAX_FOAM_STEPS, MapsF32, Simulation};
+use seastate::sim::{MapsF32, Simulation};
 use seastate::state::fields::{FIELDS, FieldKind};
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
@@ -92,14 +92,15 @@ pub fn coast_transfer(params: &Params, max_waves: usize, points: usize) -> Arc<T
     Arc::new(TransferSolver::new(&Plan::new(params), &coast, &limits).finish())
 }
 
-/// A sea with the waves at its coast, whose maps are those of the time `t_s` around `eye` (x, z), m.
+/// A sea with the waves at its coast, whose maps are those of the time `t_s` around `eye` (x, z), m. The foam has made
+/// one time step, so that the map of foam lies around the eye.
 pub fn ocean_at_coast(gpu: &Gpu, state: &str, transfer: &Arc<Transfer>, eye: [f64; 2], t_s: f64) -> Ocean {
     let mut params = params(state);
     (params.camera.x_m, params.camera.z_m) = (eye[0], eye[1]);
     let mut ocean = Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &params);
     assert!(ocean.set_coast(Some(transfer.clone())));
     let mut encoder = gpu.encoder("test");
-    ocean.simulation().encode(gpu, &mut encoder, t_s, eye, MAX_FOAM_STEPS);
+    ocean.simulation().encode(gpu, &mut encoder, t_s, eye, 1);
     gpu.submit(encoder);
     ocean
 }
