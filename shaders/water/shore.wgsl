@@ -67,7 +67,7 @@ const SHORE_FRONT_SHARES = vec2f(0.4, 0.6);
 // Length of a pixel's footprint on a front, relative to its width: fronts face the eye or the sky.
 const SHORE_FRONT_LENGTH = 2.0;
 // How far the pattern of a front advances with the height of its surface, m a metre: a steep front would draw it out.
-const SHORE_FRONT_DROP = 1.6;
+const SHORE_FRONT_DROP = 3.0;
 // Part of what shines through a front that its thickness hides.
 const SHORE_FRONT_OPAQUE = 0.75;
 // Share of a pixel that a front covers, from which the edges of its billows are smoothed.
