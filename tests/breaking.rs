@@ -110,6 +110,7 @@ fn oceans(gpu: &Gpu, wind: f64, fetch: f64) -> [Ocean; 3] {
     [1, 2, 3].map(|seed| ocean(gpu, &format!("wind={wind}&fetch={fetch}&n=256&t=40&y=3&seed={seed}")))
 }
 
+/// Random points of all these oceans, within 60 m of the eye.
 fn points_of(oceans: &[Ocean], shaders: &Shaders) -> Vec<Point> {
     oceans.iter().flat_map(|ocean| points(ocean, shaders, 60_000)).collect()
 }

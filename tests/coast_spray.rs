@@ -100,7 +100,7 @@ fn puffs_of_surf_are_born_on_the_lip_and_stay_born_there() {
     assert!(own < 0.8 && fault > 2.0 * own, "{own} {fault}");
 }
 
-/// Number of pixels that spray changes in the picture of a state with a coast. `ocean` keeps the pipelines.
+/// Number of pixels that spray changes in the picture of a state with a coast, whose waves are those of [`transfer`]. `ocean` keeps the pipelines.
 fn sprayed(gpu: &Gpu, ocean: &mut Option<Ocean>, state: &str) -> usize {
     let params = |more: &str| common::params(&format!("{state}{more}&dither=0"));
     let ocean = ocean.get_or_insert_with(|| Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &params("")));
@@ -126,6 +126,7 @@ fn surf_throws_up_spray_in_any_wind_and_waves_burst_on_stone() {
         let sea = BEACH.replace("hs2=1.5", &format!("hs2={hs_m}"));
         sprayed(&gpu, &mut ocean, &format!("{sea}&n=256&x=530&z=150&y=2.5&heading=215&pitch=1.5&fov=32&t=38"))
     });
+    // A crest of the high waves meets the breakwater at this time.
     let [bursts, laps] = [2.6, 0.3].map(|hs_m| {
         let state = format!(
             "coast=harbour&depth=10.9&wind=3&fetch=10&dir=225&scale2=1&hs2={hs_m}&tp2=9&dir2=220&n=256&x=0&z=-5&y=4\

@@ -20,7 +20,7 @@ const MEASURED_KEY: &str = "measured";
 /// Key of the name of the sky file in a state string.
 pub(super) const SKY_KEY: &str = "sky";
 /// Key of the floating objects in a state string.
-const FLOATING_OBJECTS_KEY: &str = "afloat";
+pub(super) const FLOATING_OBJECTS_KEY: &str = "afloat";
 /// The keys that are not in [`FIELDS`].
 pub(super) const OTHER_KEYS: [&str; 3] = [MEASURED_KEY, SKY_KEY, FLOATING_OBJECTS_KEY];
 

@@ -155,8 +155,8 @@ pub fn show_seed_row(app: &mut App, ui: &mut egui::Ui) {
 }
 
 impl App {
-    /// Opens a named sea in place of the current one, with its light and foam. Camera and seed change only if its state
-    /// string sets them, and a locked seed never changes.
+    /// Opens a named sea in place of the current one, with its light and foam. Camera, floating objects and seed change
+    /// only if its state string sets them, and a locked seed never changes.
     pub(super) fn open_preset(&mut self, preset: &Preset) {
         let seed = self.params.sea.seed;
         let (params, notices) = preset.apply(&self.params);

@@ -43,8 +43,8 @@ pub struct Preset {
 /// What happens to a parameter when the user chooses a preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ApplyRule {
-    /// Parameters of wind, waves, water, foam, coast, sun, sky, colours or film: always set, to the default where the preset
-    /// does not name them. Otherwise a calm sea chosen after a hurricane would keep its fog and its clouds.
+    /// Parameters of wind, waves, water, foam, coast, sun, sky, colours or film: always set, to the default where the
+    /// preset does not name them. Otherwise a calm sea chosen after a hurricane would keep its fog and its clouds.
     SeaAndLight,
     /// Parameters of the camera: set only where the preset names them.
     Camera,
@@ -82,8 +82,8 @@ pub fn is_preset_file(text: &str) -> bool {
 }
 
 impl Preset {
-    /// Makes a preset `name` of the waves and the light of `params`, without a description. Camera, time, resolution,
-    /// views and default values are left out.
+    /// Makes a preset `name` of the waves and the light of `params`, without a description. Camera, floating objects,
+    /// time, resolution, views and default values are left out.
     pub fn from_params(name: &str, params: &Params) -> Self {
         let mut carried = Params::default();
         for field in FIELDS.iter().filter(|f| apply_rule(f.group) == ApplyRule::SeaAndLight) {
@@ -97,10 +97,11 @@ impl Preset {
     /// Returns the parameters `now` changed to this preset, and one notice for each value of its state string that was
     /// not taken as written.
     ///
-    /// Wind, waves, water, foam, the coast, the buoy's spectrum, sun, sky, colours and film are reset and then set by the
-    /// preset; the seed is kept unless the preset names it. The camera changes only where it is named. Time, resolution,
-    /// views and the window's settings are kept. The image of a sky file is kept if the preset names the same file, and the
-    /// file of a coast if the preset's coast is a file.
+    /// Wind, waves, water, foam, the coast, the buoy's spectrum, sun, sky, colours and film are reset and then set by
+    /// the preset; the seed is kept unless the preset names it. The camera changes only where it is named, and floating
+    /// objects that are named replace all others.
+    /// Time, resolution, views and the window's settings are kept. The image of a sky file is kept if the preset names
+    /// the same file, and the file of a coast if the preset's coast is a file.
     /// [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice) tells whether the image is missing.
     pub fn apply(&self, now: &Params) -> (Params, Vec<String>) {
         let query::ParsedState { params: wanted, keys_taken, mut notices } = query::parse_with_keys(&self.state);
@@ -120,6 +121,9 @@ impl Preset {
             }
         }
         next.sea.measured = wanted.sea.measured;
+        if keys_taken.contains(&query::FLOATING_OBJECTS_KEY) {
+            next.floating_objects = wanted.floating_objects;
+        }
         let loaded = std::mem::replace(&mut next.look.sky.file, wanted.look.sky.file);
         next.look.sky.adopt_loaded_image(loaded.as_ref());
         next.coast.adopt_file(None);
@@ -130,9 +134,10 @@ impl Preset {
         (next, notices)
     }
 
-    /// Whether the sea, its coast and the light of `params` are those of this preset.
+    /// Whether the sea, its coast and the light of `params` are those of this preset. The seed may be another one.
     pub fn shows_sea_of(&self, params: &Params) -> bool {
-        let (applied, _) = self.apply(params);
+        let (mut applied, _) = self.apply(params);
+        applied.sea.seed = params.sea.seed;
         (&applied.sea, &applied.coast, &applied.look) == (&params.sea, &params.coast, &params.look)
     }
 

@@ -111,8 +111,12 @@ fn the_built_in_seas_survive_being_carried() {
     for preset in built_in() {
         let (params, _) = preset.apply(&Params::default());
         let again = Preset::from_params(&preset.name, &params);
-        // The camera is not carried.
-        let now = Params { camera: params.camera.clone(), ..Params::default() };
+        // The camera and the floating objects are not carried.
+        let now = Params {
+            camera: params.camera.clone(),
+            floating_objects: params.floating_objects.clone(),
+            ..Params::default()
+        };
         assert_eq!(again.apply(&now), (params, vec![]), "{}", preset.name);
     }
 }
@@ -164,7 +168,9 @@ fn seas_and_light_come_back() {
             assert!(same(field, &next, from), "{} of {}", field.key, preset.state);
         }
         assert_eq!(preset.apply(&next), (next.clone(), vec![]), "applied twice is applied once");
-        assert!(preset.shows_sea_of(&next));
+        let mut other_seed = next.clone();
+        other_seed.sea.seed ^= 1;
+        assert!(preset.shows_sea_of(&next) && preset.shows_sea_of(&other_seed));
     }
 }
 
@@ -187,6 +193,11 @@ fn a_sea_changes_what_is_its_own() {
     is("overcast=1", "seed=7&overcast=1&mesh=2&y=30&heading=10&t=9&n=128");
     is("sun=24", "seed=7&mesh=2&y=30&heading=10&t=9&n=128");
     is("heading=90", "seed=7&mesh=2&y=30&heading=90&t=9&n=128");
+    let afloat = |state: &str| applied(state, "afloat=buoy*1*2_boat*3*4").0;
+    assert_eq!(afloat("wind=8"), query::write(&parse("wind=8&afloat=buoy*1*2_boat*3*4")));
+    assert_eq!(afloat("wind=8&afloat=yacht*5*6"), query::write(&parse("wind=8&afloat=yacht*5*6")));
+    assert_eq!(afloat("wind=8&afloat="), query::write(&parse("wind=8")));
+    assert_eq!(afloat("wind=8&afloat=raft"), afloat("wind=8"), "what cannot be read takes nothing off the water");
     let (state, notices) = applied("n=512&t=3&mesh=1&wind=8", now);
     assert_eq!(state, query::write(&parse("wind=8&seed=7&mesh=2&y=30&heading=10&t=9&n=128")));
     assert_eq!(notices.len(), 1, "{notices:?}");
@@ -225,6 +236,9 @@ fn named_seas_do_not_depend_on_the_sea_before() {
         let direct = after.apply(&fresh).0;
         let mut later = after.apply(&before.apply(&fresh).0).0;
         (later.camera, later.sea.seed) = (direct.camera.clone(), direct.sea.seed);
+        if !query::parse_with_keys(&after.state).keys_taken.contains(&query::FLOATING_OBJECTS_KEY) {
+            later.floating_objects.clear();
+        }
         assert_eq!(later, direct, "{} after {}", after.name, before.name);
     }
 }
