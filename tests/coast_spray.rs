@@ -100,7 +100,8 @@ fn puffs_of_surf_are_born_on_the_lip_and_stay_born_there() {
     assert!(own < 0.8 && fault > 2.0 * own, "{own} {fault}");
 }
 
-/// Number of pixels that spray changes in the picture of a state with a coast, whose waves are those of [`transfer`]. `ocean` keeps the pipelines.
+/// Number of pixels that spray changes in the picture of a state with a coast, whose waves are those of [`transfer`].
+/// `ocean` keeps the pipelines.
 fn sprayed(gpu: &Gpu, ocean: &mut Option<Ocean>, state: &str) -> usize {
     let params = |more: &str| common::params(&format!("{state}{more}&dither=0"));
     let ocean = ocean.get_or_insert_with(|| Ocean::new(gpu, PICTURE_FORMAT, OutputKind::Screen, &params("")));

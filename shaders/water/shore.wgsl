@@ -66,8 +66,8 @@ const SHORE_FRONT_LEVEL = 0.4;
 const SHORE_FRONT_SHARES = vec2f(0.4, 0.6);
 // Length of a pixel's footprint on a front, relative to its width: fronts face the eye or the sky.
 const SHORE_FRONT_LENGTH = 2.0;
-// How far the pattern of a front advances with the height of its surface, m a metre: otherwise a steep front would draw it
-// out. It is this large so that a front that overhangs by less than that does not draw it out either.
+// How far the pattern of a front advances with the height of its surface, m a metre: otherwise a steep front would draw
+// it out. A front that overhangs by just this much would, too, so this is more than fronts usually overhang.
 const SHORE_FRONT_DROP = 3.0;
 // Part of what shines through a front that its thickness hides.
 const SHORE_FRONT_OPAQUE = 0.75;

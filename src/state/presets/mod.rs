@@ -99,9 +99,9 @@ impl Preset {
     ///
     /// Wind, waves, water, foam, the coast, the buoy's spectrum, sun, sky, colours and film are reset and then set by
     /// the preset; the seed is kept unless the preset names it. The camera changes only where it is named, and floating
-    /// objects that are named replace all others.
-    /// Time, resolution, views and the window's settings are kept. The image of a sky file is kept if the preset names
-    /// the same file, and the file of a coast if the preset's coast is a file.
+    /// objects that are named replace all others. Time, resolution, views and the window's settings are kept. The image
+    /// of a sky file is kept if the preset names the same file, and the file of a coast if the preset's coast is a
+    /// file.
     /// [`SkyLook::missing_file_notice`](super::look::SkyLook::missing_file_notice) tells whether the image is missing.
     pub fn apply(&self, now: &Params) -> (Params, Vec<String>) {
         let query::ParsedState { params: wanted, keys_taken, mut notices } = query::parse_with_keys(&self.state);
