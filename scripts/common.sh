@@ -71,9 +71,9 @@ locked_version() {
 need_cargo_tool() {
   if have "$1" && [ "$("$1" --version 2>/dev/null | awk '{ print $2 }')" = "$2" ]; then return 0; fi
   say "Building $3 $2 (once, some minutes)"
-  # Little optimisation: the tools run for seconds, and build in a third of the time.
+  # No optimisation: the tools run for seconds, and build in a fraction of the time.
   # A target folder outside cargo's temporary one lets an interrupted build continue.
-  local install=(env CARGO_PROFILE_RELEASE_OPT_LEVEL=1 CARGO_PROFILE_RELEASE_LTO=false
+  local install=(env CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_PROFILE_RELEASE_LTO=false
     CARGO_PROFILE_RELEASE_CODEGEN_UNITS=64 CARGO_TARGET_DIR="$TOOLS/build"
     cargo install --root "$TOOLS" "$3" --version "$2" "${@:4}")
   # The tool's own lock file first; newer dependencies if one of the locked versions was withdrawn.

@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::{Pictures, gpu, params};
 use seastate::gpu::Gpu;
 use seastate::gpu::map_format::MapFormat;
 use seastate::lab::flip::{PIXELS_PER_DEGREE, SrgbPicture, flip_errors, mean_error};
@@ -9,7 +10,6 @@ use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture, draw_picture, p
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::point::StrongestWaves;
 use seastate::sim::MAX_FOAM_STEPS;
-
 use seastate::state::{Params, query};
 use seastate::waves::Plan;
 
@@ -24,10 +24,6 @@ fn render(gpu: &Gpu, state: &str) -> Vec<[u8; 4]> {
 fn render_params(gpu: &Gpu, params: &Params) -> Vec<[u8; 4]> {
     let pixels = pollster::block_on(draw_picture(gpu, params, SIZE)).expect("a picture");
     pixels.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
-}
-
-fn gpu() -> Gpu {
-    pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers")
 }
 
 fn luminance(p: [u8; 4]) -> f64 {
@@ -63,14 +59,14 @@ fn the_measure_sees_no_texture_in_planes_and_gradients() {
 
 #[test]
 fn a_sea_is_seen_in_every_weather() {
-    let gpu = gpu();
+    let mut pictures = Pictures::default();
     for state in [
         "wind=3&fetch=30&n=64&t=20",
         "wind=10&n=64&t=20",
         "wind=22&fetch=600&n=64&t=20&overcast=0.9",
         "wind=10&n=64&t=20&sun=4&sunaz=40",
     ] {
-        let pixels = render(&gpu, state);
+        let pixels = pictures.render(&params(state), SIZE);
         assert_eq!(broken(&pixels), 0, "{state}");
         let (sky, water) = (texture(&pixels, 2, 30), texture(&pixels, 50, 95));
         assert!(water > 2.5, "{state}: the water has texture ({water})");
@@ -131,7 +127,7 @@ fn a_picture_does_not_depend_on_how_one_came_there() {
 
 #[test]
 fn no_pixel_is_broken_at_the_corners() {
-    let gpu = gpu();
+    let mut pictures = Pictures::default();
     for state in [
         "wind=0",
         "wind=60&fetch=2000",
@@ -174,7 +170,7 @@ fn no_pixel_is_broken_at_the_corners() {
         "mesh=0.25",
         "g=0.5",
     ] {
-        assert_eq!(broken(&render(&gpu, &format!("{state}&n=64"))), 0, "{state}");
+        assert_eq!(broken(&pictures.render(&params(&format!("{state}&n=64")), SIZE)), 0, "{state}");
     }
 }
 
@@ -186,8 +182,9 @@ fn water(pixels: &[[u8; 4]]) -> [f64; 3] {
 
 #[test]
 fn the_bed_shows_through_shallow_water_only() {
-    let gpu = gpu();
-    let at = |more: &str| render(&gpu, &format!("wind=4&fetch=15&n=64&t=20&sun=60&pitch=-25{more}"));
+    let mut pictures = Pictures::default();
+    let mut at =
+        |more: &str| pictures.render(&params(&format!("wind=4&fetch=15&n=64&t=20&sun=60&pitch=-25{more}")), SIZE);
     let off =
         |a: &[[u8; 4]], b: &[[u8; 4]]| water(a).iter().zip(water(b)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let (shallow, deep) = (at("&depth=3&water=ia"), at("&depth=200&water=ia"));
@@ -197,16 +194,20 @@ fn the_bed_shows_through_shallow_water_only() {
     let [red, green, blue] = water(&shallow);
     assert!(green > red && blue > red, "water takes the red out: {red} {green} {blue}");
     // Muddy water hides it.
-    let muddy = |more: &str| at(&format!("&depth=10&water=9c{more}"));
+    let mut muddy = |more: &str| at(&format!("&depth=10&water=9c{more}"));
     assert!(off(&muddy(""), &muddy("&bedcolour=400000")) < 3.0);
 }
 
 #[test]
 fn the_ocean_is_blue_and_the_coast_green() {
-    let gpu = gpu();
-    let at = |water_type: &str| {
-        water(&render(&gpu, &format!("wind=5&fetch=20&n=64&t=20&sun=60&pitch=-40&sunaz=220&water={water_type}")))
-    };
+    let mut pictures = Pictures::default();
+    let mut at =
+        |water_type: &str| {
+            water(&pictures.render(
+                &params(&format!("wind=5&fetch=20&n=64&t=20&sun=60&pitch=-40&sunaz=220&water={water_type}")),
+                SIZE,
+            ))
+        };
     let ([_, green, blue], [_, coast_green, coast_blue]) = (at("i"), at("3c"));
     assert!(blue > 1.5 * green, "{blue} over {green}");
     assert!(coast_green > coast_blue, "{coast_green} over {coast_blue}");
@@ -215,11 +216,11 @@ fn the_ocean_is_blue_and_the_coast_green() {
 /// The eye of a storm: never in the water, nor is a hole seen in it. What is not water shows the bright horizon's sky.
 #[test]
 fn an_eye_near_the_water_rides_over_the_waves() {
-    let gpu = gpu();
+    let mut pictures = Pictures::default();
     for (t, heading) in [(40, 30), (43, 120), (46, 210), (49, 300), (52, 0)] {
         let look = "overcast=1&foam=0&tone=agx&exposure=-0.73&y=1&pitch=-35";
         let state = format!("wind=26&fetch=800&n=64&{look}&t={t}&heading={heading}");
-        let brightest = render(&gpu, &state).into_iter().map(luminance).fold(0.0, f64::max);
+        let brightest = pictures.render(&params(&state), SIZE).into_iter().map(luminance).fold(0.0, f64::max);
         // Water stays below 100, the horizon is at 143.
         assert!(brightest < 120.0, "{state}: sky below the eye, or air in the water ({brightest})");
     }

@@ -1,19 +1,15 @@
 //! Sun, sky, fog and film in whole pictures, rendered headless.
 
-#[path = "common/skies.rs"]
-mod skies;
+mod common;
 
+use common::skies::made_up_sky;
+use common::{Pictures, gpu, params};
 use seastate::gpu::Gpu;
 use seastate::ocean::still::{PICTURE_FORMAT, draw_ocean_picture, draw_picture};
 use seastate::ocean::{Ocean, OutputKind};
 use seastate::state::{Params, query};
-use skies::made_up_sky;
 
 const SIZE: [u32; 2] = [160, 96];
-
-fn gpu() -> Gpu {
-    pollster::block_on(Gpu::request()).expect("a GPU adapter; install mesa-vulkan-drivers")
-}
 
 fn render(gpu: &Gpu, state: &str) -> Vec<[u8; 4]> {
     let (params, notices) = query::parse(state);
@@ -105,7 +101,7 @@ fn bloom_loses_no_light() {
 /// Just above and just below a horizon in fog that hides the sea there, the picture is the same.
 #[test]
 fn fog_has_no_seam_at_the_horizon() {
-    let gpu = gpu();
+    let mut pictures = Pictures::default();
     const TIMES_S: [f64; 4] = [5.0, 25.0, 45.0, 65.0];
     for state in [
         "y=2&pitch=0",
@@ -119,7 +115,7 @@ fn fog_has_no_seam_at_the_horizon() {
         let mut rows = vec![0.0; SIZE[1] as usize];
         for t_s in TIMES_S {
             let more = format!("wind=5&fetch=20&n=64&t={t_s}&fov=10&fog=20&fogheight=500&dither=0");
-            let pixels = render(&gpu, &format!("{state}&{more}"));
+            let pixels = pictures.render(&params(&format!("{state}&{more}")), SIZE);
             for (row, line) in rows.iter_mut().zip(pixels.chunks(width)) {
                 *row += line.iter().map(|p| luminance(*p)).sum::<f64>() / (width * TIMES_S.len()) as f64;
             }
@@ -133,14 +129,14 @@ fn fog_has_no_seam_at_the_horizon() {
 /// Night: darker than dusk, dark blue, and neither black nor lifted to day.
 #[test]
 fn night_is_night() {
-    let gpu = gpu();
-    let mean = |state: &str| {
-        let pixels = render(&gpu, &format!("wind=8&n=64&t=5&{state}"));
+    let mut pictures = Pictures::default();
+    let mut mean = |state: &str| {
+        let pixels = pictures.render(&params(&format!("wind=8&n=64&t=5&{state}")), SIZE);
         assert_eq!(broken(&pixels), 0);
         let sum = pixels.iter().fold([0.0; 3], |s, p| std::array::from_fn(|i| s[i] + f64::from(p[i])));
         sum.map(|s| s / pixels.len() as f64)
     };
-    let [noon, dusk, night] = ["sun=40", "sun=-7", "sun=-20"].map(mean);
+    let [noon, dusk, night] = ["sun=40", "sun=-7", "sun=-20"].map(&mut mean);
     assert!(night[2] > 1.5 * night[0] && night[2] > 12.0 && night[1] < 45.0, "{night:?}");
     assert!(dusk[1] > night[1] && noon[1] > dusk[1], "{noon:?} {dusk:?} {night:?}");
 }
@@ -158,13 +154,15 @@ fn blocks(pixels: &[[u8; 4]]) -> Vec<f64> {
 /// Clouds cover more of the sky the larger their cover is, and less light reaches the sea.
 #[test]
 fn clouds_cover_the_sky_and_dim_the_sea() {
-    let gpu = gpu();
+    let mut pictures = Pictures::default();
     let base = "wind=4&fetch=20&n=64&t=5&dither=0&tone=agx&autoexposure=0&exposure=-0.82&sun=40";
     let up = format!("{base}&pitch=40&fov=100&heading=60");
     let down = format!("{base}&pitch=-30&y=800");
-    let clear = render(&gpu, &up);
+    let clear = pictures.render(&params(&up), SIZE);
     for kind in ["cumulus", "stratocumulus", "towering", "cirrus", "storm"] {
-        let of = |cover: f64, view: &str| render(&gpu, &format!("{view}&clouds={kind}&cloudcover={cover}"));
+        let mut of = |cover: f64, view: &str| {
+            pictures.render(&params(&format!("{view}&clouds={kind}&cloudcover={cover}")), SIZE)
+        };
         let seen = [0.2, 0.8].map(|cover| {
             let pixels = of(cover, &up);
             assert_eq!(broken(&pixels), 0);
@@ -185,10 +183,10 @@ fn clouds_cover_the_sky_and_dim_the_sea() {
 /// Shadows of clouds mottle the sea; without clouds it is even.
 #[test]
 fn clouds_mottle_the_sea() {
-    let gpu = gpu();
+    let mut pictures = Pictures::default();
     let base = "wind=4&fetch=20&n=64&t=5&dither=0&sun=50&sunaz=200&pitch=-20&y=800&heading=30";
-    let spread = |state: &str| {
-        let [dark, bright] = blocks(&render(&gpu, state))
+    let mut spread = |state: &str| {
+        let [dark, bright] = blocks(&pictures.render(&params(state), SIZE))
             .into_iter()
             .fold([f64::MAX, 0.0], |[low, high], b| [f64::min(low, b), f64::max(high, b)]);
         bright / dark
@@ -201,11 +199,11 @@ fn clouds_mottle_the_sea() {
 /// The air and the rain before a cloud that hides the sun have no glow around it: the cloud shades them, too.
 #[test]
 fn no_glow_lies_before_a_cloud_that_hides_the_sun() {
-    let gpu = gpu();
+    let mut pictures = Pictures::default();
     // The sun is in the middle of the picture.
     let view = "n=64&wind=6&dir=300&t=300&dither=0&bloom=0&exposure=-2&y=3&sun=7&sunaz=20&heading=20&pitch=7&fov=35";
-    let glow = |sky: &str| {
-        let pixels = render(&gpu, &format!("{view}&{sky}"));
+    let mut glow = |sky: &str| {
+        let pixels = pictures.render(&params(&format!("{view}&{sky}")), SIZE);
         let [width, height] = SIZE.map(|s| s as usize);
         let degree = height as f64 / 35.0;
         let around = |turn_deg: f64| {
@@ -219,7 +217,7 @@ fn no_glow_lies_before_a_cloud_that_hides_the_sun() {
     };
     let deck = "clouds=stratocumulus&cloudcover=0.8";
     let [clear, cloudy, rain, shafts] =
-        ["clouds=none", deck, &format!("{deck}&rain=3"), &format!("{deck}&rain=3&squalls=1")].map(glow);
+        ["clouds=none", deck, &format!("{deck}&rain=3"), &format!("{deck}&rain=3&squalls=1")].map(&mut glow);
     eprintln!(
         "light at the sun, relative to that beside it: clear {clear:.2}, deck {cloudy:.2}, rain {rain:.2}, shafts {shafts:.2}"
     );
