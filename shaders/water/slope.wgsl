@@ -122,11 +122,18 @@ fn water_add_waves(
   }
 }
 
-// Covariance (xx, zz, xz) of a cascade's slopes at texture coordinates: a mip level of their second moments, less the
-// square of the mean slope `mean`.
+// Least part of the second moments of slopes that counts as unresolved variance, and the factor of the square of the
+// mean slope that makes up for it. With them, the mean square of all slopes in the full tier is right within 3 % for
+// pixels that are not very long, and within 4 % for all.
+const WATER_LEAST_UNRESOLVED = 0.2;
+const WATER_RESOLVED_FACTOR = 1.2;
+
+// Covariance (xx, zz, xz) of a cascade's slopes that a footprint with the mean slope `mean` does not resolve, at
+// texture coordinates, from a mip level of their second moments. The moments less the square of the mean would be 0
+// wherever the mean is steep: such pixels would mirror a single point, and be dark or bright dots.
 fn water_unresolved_covariance(map: FrameCascade, uv: vec2f, lod: f32, mean: vec2f) -> vec3f {
-  let moments = textureSampleLevel(moments_map, nearest_mip_sampler, uv, map.layer, lod).xyz;
-  return max(map.moment_unit * moments - maths_self_products(mean), vec3f(0.0, 0.0, -1.0));
+  let all = map.moment_unit * textureSampleLevel(moments_map, nearest_mip_sampler, uv, map.layer, lod).xyz;
+  return max(all - WATER_RESOLVED_FACTOR * maths_self_products(mean), vec3f(WATER_LEAST_UNRESOLVED * all.xy, -1.0));
 }
 
 // Covariance (xx, zz, xz) of all slopes of a cascade around an undisplaced position, from the coarsest mip level.
