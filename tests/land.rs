@@ -334,3 +334,38 @@ fn a_picture_without_a_coast_does_not_know_that_there_was_one() {
     assert_ne!(first, with_land);
     assert_eq!(first, pictures.render(&sea, size));
 }
+
+/// A lighthouse stands where its coast is placed, the house beside it on the right side, and its lens flashes.
+#[test]
+fn a_lighthouse_stands_on_its_coast_and_flashes() {
+    let gpu = common::gpu();
+    let size = [160, 120];
+    let place = "coast=island&coastx=120&coastz=-70&coastturn=25";
+    let island = PlacedCoast::of_state(&params(place).coast, None).expect("an island").expect("an island");
+    let [mark] = island.seamarks() else { panic!("{} seamarks", island.seamarks().len()) };
+    let [x, z] = island.placement().world_m(mark.at_m);
+    let state = |t_s: f64| {
+        format!("{place}&x={x:.3}&z={:.3}&y={}&heading=0&pitch=-5&fov=50&t={t_s}", z + 40.0, mark.ground_m + 14.0)
+    };
+    let drawn = |t_s: f64| heights_and_light(&gpu, &state(t_s), &island, size);
+    let (flash, dark) = (drawn(0.0), drawn(5.0));
+    // Above the grass, and not the keeper's house, which is lower.
+    let tower: Vec<_> = (0..flash.len())
+        .map(|i| (i, flash[i].0))
+        .filter(|(_, at)| at[1] > mark.ground_m + 7.0 && (at[0] - x).hypot(at[2] - z) < 30.0)
+        .collect();
+    let widest_m = tower.iter().map(|(_, at)| (at[0] - x).hypot(at[2] - z)).fold(0.0, f64::max);
+    let top_m = tower.iter().map(|(_, at)| at[1] - mark.ground_m).fold(0.0, f64::max);
+    eprintln!("{} pixels of the tower, widest {widest_m:.2} m, top {top_m:.2} m", tower.len());
+    assert!(tower.len() > 400 && widest_m < 2.95, "{} pixels, {widest_m} m", tower.len());
+    assert!((20.0..20.9).contains(&top_m), "{top_m} m");
+    // Where one who looks out to sea from the tower has the house: to the left, and a little inland.
+    let [house_x, house_z] = island.placement().world_m([mark.at_m[0] + 3.0, mark.at_m[1] + 10.5]);
+    let of_house =
+        |at: &[f64; 3]| (at[0] - house_x).hypot(at[2] - house_z) < 6.5 && (3.0..6.7).contains(&(at[1] - mark.ground_m));
+    let house = flash.iter().filter(|(at, _)| of_house(at)).count();
+    assert!(house > 200, "{house} pixels of the house");
+    let brighter: Vec<_> = tower.iter().filter(|(i, _)| flash[*i].1[1] > 4.0 * dark[*i].1[1]).collect();
+    let is_lens = |height_m: f64| (16.9..18.6).contains(&(height_m - mark.ground_m));
+    assert!(brighter.len() > 10 && brighter.iter().all(|(_, at)| is_lens(at[1])), "{} pixels", brighter.len());
+}

@@ -1,5 +1,5 @@
-// Buoys, boats and yachts: painted hulls and sails in the light of sun, sky and sea. Their triangles come from
-// src/render/water/hulls.rs.
+// Buoys, boats, yachts and seamarks: painted hulls, towers and sails in the light of sun, sky and sea. Their triangles
+// come from src/render/water/hulls.rs.
 
 @group(0) @binding(9) var<uniform> material: Material;
 @group(1) @binding(0) var<storage, read> hull_vertices: array<HullVertex>;
@@ -14,9 +14,10 @@ struct HullFragment {
   @builtin(position) clip: vec4f,
   @location(0) position: vec3f,
   @location(1) normal: vec3f,
-  // Linear RGB of the paint; alpha is the fraction of the sunlight that shines through a sail.
+  // Linear RGB of the paint; alpha is the fraction of the sunlight that shines through a sail, or 1 for a lamp.
   @location(2) colour: vec4f,
-  // Place on a sail, along the chord and up, or 0; then the fraction of the sunlight that a sail takes away.
+  // Place on a sail, along the chord and up, or 0; then the fraction of the sunlight that a sail takes away, or the
+  // fraction of its full light that a lamp gives.
   @location(3) cloth: vec3f,
 }
 
@@ -76,6 +77,13 @@ const HULL_LUFF_SHADE = 0.3;
 // How much more light a sail lets through straight than to the side.
 const HULL_SAIL_GLOW = 1.2;
 
+// Radiance of a lighthouse's lens in its flash: 1 million candela from a square metre or so, in units of which white in
+// the midday sun has about a quarter. Seen from the side, a lens is darker.
+const HULL_LAMP_RADIANCE = 8.0;
+
+// Reflectance of a lens of glass, relative to paint of its colour.
+const HULL_LENS_PAINT = 0.2;
+
 // Fraction of a pixel of the width `pixel` that a line of half the width `half` covers, at the distance `off`.
 fn hull_line_cover(off: f32, half: f32, pixel: f32) -> f32 {
   return clamp((half - off) / pixel + 0.5, 0.0, min(2.0 * half / pixel, 1.0));
@@ -104,7 +112,11 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
     let doubled = hull_doubled_cloth(in.cloth.xy, pixel);
     paint *= 1.0 - doubled * vec4f(vec3f(HULL_DOUBLED.y), HULL_DOUBLED.x);
   }
-  let through = in.colour.a;
+  let is_lamp = in.colour.a > 0.99;
+  if is_lamp {
+    paint.a = 0.0;
+  }
+  let through = select(in.colour.a, 0.0, is_lamp);
   // The eye sees both sides of a sail.
   let n = normalize(in.normal) * select(1.0, -1.0, through > 0.0 && dot(in.normal, dir) > 0.0);
   if HULL_DIVES {
@@ -117,7 +129,7 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
     cloud_sun_fraction = cloud_sun_transmittance(in.position.xz, 0.0);
   }
   let all_sunlight = cloud_sun_irradiance();
-  let sunlight = all_sunlight * (1.0 - in.cloth.z);
+  let sunlight = all_sunlight * select(1.0 - in.cloth.z, 1.0, is_lamp);
   let sun_cosine = dot(n, frame.sun_direction);
   let sun = sunlight * max(sun_cosine, 0.0);
   let on_sea = light.sky_irradiance + all_sunlight * max(frame.sun_direction.y, 0.0);
@@ -137,7 +149,11 @@ fn fragment(in: HullFragment) -> @location(0) vec4f {
   let half = normalize(frame.sun_direction - dir);
   let glint = 0.04 * 20.0 * pow(max(dot(n, half), 0.0), 160.0) * sun;
   let lacquer = select(0.5 * sheen * sky_there + glint / ATM_PI, vec3f(0.0), through > 0.0);
-  let surface = paint.rgb * (diffuse + around) / ATM_PI + lacquer;
+  var surface = paint.rgb * (diffuse + around) / ATM_PI + lacquer;
+  if is_lamp {
+    let facing = dot(n, dir);
+    surface = HULL_LENS_PAINT * surface + paint.rgb * (HULL_LAMP_RADIANCE * in.cloth.z * pow(abs(facing), 4.0));
+  }
   let air = air_to_point(dir, distance_m);
   return frame_hdr_output(surface * air[1] + air[0], nearness);
 }
@@ -176,42 +192,6 @@ fn line_vertex(@builtin(vertex_index) i: u32) -> HullLineFragment {
   return HullLineFragment(
     frame.clip_from_relative * vec4f(at, 1.0), at, hull.normal, hull_paint(hull.colour).rgb,
     vec3f(sign(signed_half) * reach_m, half, pixel_m));
-}
-
-// Smooth noise, 0 to 1, of one cell a unit.
-fn hull_noise(at: vec2f) -> f32 {
-  let cell = floor(at);
-  let part = at - cell;
-  let share = part * part * (3.0 - 2.0 * part);
-  let i = vec2i(cell);
-  var corners: vec4f;
-  for (var k = 0; k < 4; k++) {
-    corners[k] = noise_pcg3d_unit(bitcast<vec3u>(vec3i(i + vec2i(k & 1, k >> 1u), 7))).x;
-  }
-  let rows = mix(corners.xz, corners.yw, share.x);
-  return mix(rows.x, rows.y, share.y);
-}
-
-// White water that a yacht throws up (yacht_foam.rs), whose crest is torn. `pattern` is FoamCorner::pattern.
-fn hull_foam(position: vec3f, pattern: vec3f, colour: vec3f) -> vec4f {
-  let distance_m = length(position);
-  let dir = position / distance_m;
-  let at = vec2f(pattern.x, pattern.y * 0.6);
-  let lumps = hull_noise(at * 2.4);
-  // A pixel averages drops that are smaller.
-  let seen = saturate(1.5 - 21.0 * frame.pixel_angle * distance_m);
-  let drops = mix(0.5, hull_noise(at * 21.0 + 57.0), seen);
-  let torn = 0.4 * lumps + 0.35 * hull_noise(at * vec2f(7.0, 9.0) + 31.0) + 0.25 * drops;
-  let thick = 1.25 * min(pattern.z, 1.0) - pattern.y * (0.4 + 0.6 * pattern.y);
-  // The foot is foam, and the crest is torn to drops. One sees through between them.
-  let left = thick - (0.45 + 0.75 * pattern.y) * torn;
-  let opacity = smoothstep(-0.1, 0.4, left) * saturate(3.0 * pattern.z) * (1.0 - 0.45 * pattern.y);
-  // Thick foam is lit from all sides, from above most, and its hollows are darker.
-  let n = normalize(vec3f(-dir.x, 1.0, -dir.z));
-  let sun = cloud_sun_irradiance() * (0.35 + 0.55 * max(dot(n, frame.sun_direction), 0.0));
-  let surface = colour * (0.55 + 0.6 * lumps + 0.3 * torn) * (sun + 0.8 * light.sky_irradiance) / ATM_PI;
-  let air = air_to_point(dir, distance_m);
-  return vec4f(min(surface * air[1] + air[0], vec3f(6e4)) * opacity, opacity);
 }
 
 @fragment

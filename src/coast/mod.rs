@@ -28,6 +28,7 @@ pub mod parabolic;
 pub mod placed;
 pub mod runup;
 pub mod sea_maps;
+pub mod seamark;
 pub mod structure;
 pub mod transfer;
 
@@ -40,5 +41,6 @@ pub use losses::Dissipation;
 pub use options::Options;
 pub use placed::PlacedCoast;
 pub use sea_maps::SeaMaps;
+pub use seamark::{Seamark, SeamarkKind};
 pub use structure::Structure;
 pub use transfer::Transfer;

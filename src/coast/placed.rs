@@ -4,6 +4,7 @@
 use super::bathymetry::Bathymetry;
 use super::built_in::BuiltInCoast;
 use super::incident::Placement;
+use super::seamark::Seamark;
 use super::structure::Structure;
 use crate::files::bathymetry::{BathymetryFile, ElevationGrid};
 use crate::state::coast::{Coast, CoastName, MISSING_FILE_NOTICE};
@@ -165,6 +166,11 @@ impl PlacedCoast {
             middle_m: [0.0; 2],
             notices,
         })
+    }
+
+    /// Its lighthouse, harbour lights and beacons; a coast from a file has none.
+    pub fn seamarks(&self) -> &'static [Seamark] {
+        self.built_in.and_then(BuiltInCoast::find).map_or(&[], |coast| coast.seamarks)
     }
 
     /// Angle (rad) by which the coast's x axis is turned from the world's +x (east) towards +z (south).

@@ -203,6 +203,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
             part!("water/shadow_sun.wgsl"),
             part!("water/body.wgsl"),
             part!("water/medium.wgsl"),
+            part!("water/hull_foam.wgsl"),
             part!("water/hulls.wgsl"),
         ],
     ),

@@ -1,5 +1,6 @@
 //! The depths of the six coasts.
 
+use super::super::seamark::{Seamark, SeamarkKind};
 use super::super::structure::Structure;
 use super::land::{beach_m, bell, curves, shore_m, smooth_step, soft_min};
 
@@ -7,6 +8,26 @@ use super::land::{beach_m, bell, curves, shore_m, smooth_step, soft_min};
 pub const SHOAL_MIDDLE_M: [f64; 2] = [520.0, 603.0];
 /// Heads of the breakwaters of the harbour, between which the entrance lies, m.
 pub const HARBOUR_HEADS_M: [[f64; 2]; 2] = [[770.0, 790.0], [858.0, 888.0]];
+/// Height of the top of the breakwaters of the harbour above the water, m.
+const BREAKWATER_TOP_M: f64 = 4.5;
+/// Lights at the heads of the breakwaters: ships that enter leave the main one to port.
+pub const HARBOUR_LIGHTS: [Seamark; 2] = [
+    Seamark { kind: SeamarkKind::PortLight, at_m: HARBOUR_HEADS_M[0], ground_m: BREAKWATER_TOP_M },
+    Seamark { kind: SeamarkKind::StarboardLight, at_m: HARBOUR_HEADS_M[1], ground_m: BREAKWATER_TOP_M },
+];
+/// Lighthouse in the dunes of the beach.
+pub const BEACH_LIGHTHOUSE: Seamark = Seamark { kind: SeamarkKind::Lighthouse, at_m: [1400.0, 1300.0], ground_m: 8.2 };
+/// Lighthouse in the dunes at the channel through the bar, and beacons where the channel begins.
+pub const BAR_SEAMARKS: [Seamark; 3] = [
+    Seamark { kind: SeamarkKind::Lighthouse, at_m: [1302.0, 700.0], ground_m: 7.7 },
+    Seamark { kind: SeamarkKind::PortBeacon, at_m: [1000.0, 640.0], ground_m: -3.6 },
+    Seamark { kind: SeamarkKind::StarboardBeacon, at_m: [1000.0, 800.0], ground_m: -3.8 },
+];
+/// Lighthouse on the cliff of the headland.
+pub const HEADLAND_LIGHTHOUSE: Seamark =
+    Seamark { kind: SeamarkKind::Lighthouse, at_m: [1000.0, 590.0], ground_m: 24.7 };
+/// Lighthouse on the hill of the island.
+pub const ISLAND_LIGHTHOUSE: Seamark = Seamark { kind: SeamarkKind::Lighthouse, at_m: [568.0, 815.0], ground_m: 24.1 };
 /// Enlargement of the laboratory shoal.
 const SHOAL_SCALE: f64 = 50.0;
 
@@ -65,7 +86,7 @@ pub fn harbour_structures() -> Vec<Structure> {
         name: "breakwater",
         line_m,
         top_width_m: 9.0,
-        top_height_m: 4.5,
+        top_height_m: BREAKWATER_TOP_M,
         side_slope: 1.5,
         reflection: 0.4,
     };

@@ -8,6 +8,7 @@ mod coasts;
 mod land;
 
 use super::bathymetry::Bathymetry;
+use super::seamark::Seamark;
 use super::structure::Structure;
 
 /// A coast that comes with the program.
@@ -28,6 +29,8 @@ pub struct BuiltInCoast {
     pub depth_m: fn(f64, f64) -> f64,
     /// Its breakwaters and walls.
     pub structures: fn() -> Vec<Structure>,
+    /// Its lighthouse, harbour lights and beacons.
+    pub seamarks: &'static [Seamark],
 }
 
 /// The coasts. They face the south-west, from where the wind of the default sea blows; the beach faces the west, so that
@@ -41,6 +44,7 @@ pub static BUILT_IN: [BuiltInCoast; 6] = [
         side_m: [1500.0, 1500.0],
         depth_m: coasts::beach,
         structures: Vec::new,
+        seamarks: &[coasts::BEACH_LIGHTHOUSE],
     },
     BuiltInCoast {
         name: "headland",
@@ -50,6 +54,7 @@ pub static BUILT_IN: [BuiltInCoast; 6] = [
         side_m: [1600.0, 1600.0],
         depth_m: coasts::headland,
         structures: Vec::new,
+        seamarks: &[coasts::HEADLAND_LIGHTHOUSE],
     },
     BuiltInCoast {
         name: "island",
@@ -59,6 +64,7 @@ pub static BUILT_IN: [BuiltInCoast; 6] = [
         side_m: [1600.0, 1600.0],
         depth_m: coasts::island,
         structures: Vec::new,
+        seamarks: &[coasts::ISLAND_LIGHTHOUSE],
     },
     BuiltInCoast {
         name: "harbour",
@@ -68,6 +74,7 @@ pub static BUILT_IN: [BuiltInCoast; 6] = [
         side_m: [1400.0, 1400.0],
         depth_m: coasts::harbour,
         structures: coasts::harbour_structures,
+        seamarks: &coasts::HARBOUR_LIGHTS,
     },
     BuiltInCoast {
         name: "bar",
@@ -77,6 +84,7 @@ pub static BUILT_IN: [BuiltInCoast; 6] = [
         side_m: [1400.0, 1400.0],
         depth_m: coasts::bar,
         structures: Vec::new,
+        seamarks: &coasts::BAR_SEAMARKS,
     },
     BuiltInCoast {
         name: "shoal",
@@ -87,6 +95,7 @@ pub static BUILT_IN: [BuiltInCoast; 6] = [
         side_m: [1800.0, 1206.0],
         depth_m: coasts::shoal,
         structures: Vec::new,
+        seamarks: &[],
     },
 ];
 
@@ -109,6 +118,7 @@ impl BuiltInCoast {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::coast::SeamarkKind;
 
     #[test]
     fn every_coast_has_sea_before_and_land_behind() {
@@ -227,5 +237,31 @@ mod tests {
             seen[basin.1 * grid.columns + basin.0]
         };
         assert!(reaches(false) && !reaches(true));
+    }
+
+    #[test]
+    fn seamarks_stand_on_the_ground() {
+        for coast in &BUILT_IN {
+            for mark in coast.seamarks {
+                let [x, y] = mark.at_m;
+                let structures = (coast.structures)();
+                let on_structure = structures.iter().find(|structure| structure.distance_m(x, y) < 1.0);
+                let ground_m = on_structure.map_or(-(coast.depth_m)(x, y), |structure| structure.top_height_m);
+                assert!((mark.ground_m - ground_m).abs() < 0.3, "{}, {mark:?}: {ground_m} m", coast.name);
+            }
+        }
+    }
+
+    #[test]
+    fn ships_that_come_in_have_red_to_port() {
+        let [port, starboard] = coasts::HARBOUR_LIGHTS;
+        assert_eq!([port.kind, starboard.kind], [SeamarkKind::PortLight, SeamarkKind::StarboardLight]);
+        // Starboard is 90 degrees clockwise from the way in, as y is from x. The basin lies around (950, 700).
+        let across = [starboard.at_m[0] - port.at_m[0], starboard.at_m[1] - port.at_m[1]];
+        let way_in =
+            [950.0 - 0.5 * (port.at_m[0] + starboard.at_m[0]), 700.0 - 0.5 * (port.at_m[1] + starboard.at_m[1])];
+        assert!(way_in[0] * across[1] - way_in[1] * across[0] > 0.0, "{way_in:?} {across:?}");
+        let beacon = |kind: SeamarkKind| coasts::BAR_SEAMARKS.iter().find(|mark| mark.kind == kind).expect("a beacon");
+        assert!(beacon(SeamarkKind::PortBeacon).at_m[1] < beacon(SeamarkKind::StarboardBeacon).at_m[1]);
     }
 }

@@ -5,11 +5,12 @@ use std::f64::consts::TAU;
 
 /// A triangle of a floating object: corners, m, unit normals at the corners, and paint colour. Axes of the hull: x to
 /// starboard, y up the mast, z to the stern.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct HullFacet {
     pub corners: [DVec3; 3],
     pub normals: [DVec3; 3],
-    /// sRGB as 0xTTBBGGRR; TT is the fraction of the sunlight, in 255ths, that shines through a sail.
+    /// sRGB as 0xTTBBGGRR; TT is the fraction of the sunlight, in 255ths, that shines through a sail, or 255 for the
+    /// lens of a lamp.
     pub colour: u32,
     /// Place of each corner on a sail, as packed by [`cloth_place`], or 0.
     pub cloth: [u32; 3],
@@ -31,7 +32,7 @@ pub fn cloth_place([along, up]: [f64; 2]) -> u32 {
     along | up << 12
 }
 
-/// The detail of a corner from whose sunlight the fraction `shade` is taken.
+/// The detail of a corner from whose sunlight the fraction `shade` is taken; for a lamp, `shade` is its brightness.
 pub fn in_shade(cloth: u32, shade: f64) -> u32 {
     cloth | ((255.0 * shade).round() as u32) << 24
 }

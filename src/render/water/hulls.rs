@@ -1,9 +1,12 @@
-//! Floating buoys, boats and yachts (shaders/water/hulls.wgsl): a few small hulls, whose vertices the CPU transforms.
+//! Floating buoys, boats and yachts, and the seamarks of a coast (shaders/water/hulls.wgsl): a few small shapes, whose
+//! vertices the CPU transforms.
 
 use super::hull_images::{DRIFT_PERIOD_M, yacht_speed_m_s};
 use super::hull_shapes::{HullFacet, HullLine, boat_hull, buoy_hull, in_shade, shade_of_triangle};
+use super::seamark_shapes::{is_lamp, seamark_facets, seamark_lines};
 use super::yacht_foam::{FoamCorner, roughness, yacht_foam};
 use super::yacht_shape::{sail_shades, yacht_hull, yacht_lines, yacht_mast};
+use crate::coast::{PlacedCoast, Seamark};
 use crate::gpu::Gpu;
 use crate::gpu::kit::{AttachmentFormats, BindingType, DepthState, RenderProgram};
 use crate::gpu::layout::gpu_struct;
@@ -13,12 +16,12 @@ use crate::render::scene_group::SceneGroup;
 use crate::render::targets::{BLEND_OVER, DEPTH_TEST_BACKGROUND, DEPTH_TEST_OPAQUE, OutputKind, attachments};
 use crate::render::variants::{PipelineVariants, switch_constant};
 use crate::shaders::Shaders;
-use crate::state::floats::{FloatingObjectKind, MAX_FLOATING_OBJECTS};
+use crate::state::floats::FloatingObjectKind;
 use crate::state::look::CloudKind;
 use glam::{DMat3, DVec3};
 
 gpu_struct! {
-    /// WGSL `HullVertex`: a corner of the triangles that draw a floating object.
+    /// WGSL `HullVertex`: a corner of the triangles that draw a floating object or a seamark.
     pub struct HullVertex as "HullVertex" {
         /// Position x and z relative to the point below the eye, and height y above the still water, m.
         position: [f32; 3],
@@ -46,10 +49,10 @@ struct HullVariant {
     cloud_shadows: bool,
 }
 
-/// The pass that draws floating objects.
+/// The pass that draws floating objects and seamarks.
 pub struct HullPass {
     module: wgpu::ShaderModule,
-    /// Render pipelines of the hulls and of their ropes and wires; compiled when something floats.
+    /// Render pipelines of the hulls and of their ropes and wires; compiled when there is something to draw.
     pipelines: PipelineVariants<HullVariant>,
     line_pipelines: PipelineVariants<HullVariant>,
     layout: wgpu::BindGroupLayout,
@@ -57,6 +60,8 @@ pub struct HullPass {
     /// Triangles of each kind of object, in the order of [`FloatingObjectKind::ALL`].
     hulls: [Vec<HullFacet>; FloatingObjectKind::ALL.len()],
     lines: Vec<HullLine>,
+    /// Seamarks of the last coast that was drawn, with their triangles and lines.
+    seamarks: Vec<(Seamark, Vec<HullFacet>, Vec<HullLine>)>,
     /// Sails that shade the yacht, and their colours.
     sail_shades: [([DVec3; 3], u32); 2],
     /// Triangles of the mast, for pictures without lines.
@@ -67,7 +72,7 @@ pub struct HullPass {
 }
 
 impl HullPass {
-    /// Builds the shader module and the hulls' triangles; the pipeline is compiled when the first object floats.
+    /// Builds the shader module and the hulls' triangles; the pipeline is compiled when there is something to draw.
     pub fn new(gpu: &Gpu, shaders: &Shaders) -> Self {
         let layout = gpu.bind_group_layout(
             "hulls",
@@ -87,6 +92,7 @@ impl HullPass {
             vertices: None,
             hulls,
             lines: yacht_lines(),
+            seamarks: Vec::new(),
             sail_shades: sail_shades(),
             mast: yacht_mast(),
             vertex_count: 0,
@@ -94,15 +100,27 @@ impl HullPass {
         }
     }
 
-    /// Uploads the triangles of the hulls of a scene. Uploaded positions are relative to the point of the still water
-    /// below the eye.
+    /// Uploads the triangles of the hulls and seamarks of a scene. Uploaded positions are relative to the point of the
+    /// still water below the eye.
     pub fn upload_hulls(&mut self, gpu: &Gpu, group: &SceneGroup, scene: &Scene) {
         let poses = &scene.hulls;
-        (self.vertex_count, self.line_vertex_count) = (0, 0);
-        if poses.is_empty() {
-            return;
-        }
         let (mut vertices, mut lines) = (Vec::new(), Vec::new());
+        if let Some(coast) = &scene.land {
+            let marks = coast.seamarks();
+            if !self.seamarks.iter().map(|(mark, ..)| mark).eq(marks) {
+                self.seamarks = marks.iter().map(|m| (*m, seamark_facets(m.kind), seamark_lines(m.kind))).collect();
+            }
+            for (mark, mark_facets, mark_lines) in &self.seamarks {
+                let axes = HullAxes::of_seamark(mark, coast, scene);
+                let lamp = [in_shade(0, mark.kind.lamp_level(scene.t_s)); 3];
+                let lit =
+                    |facet: &HullFacet| HullFacet { cloth: if is_lamp(facet) { lamp } else { facet.cloth }, ..*facet };
+                vertices.extend(mark_facets.iter().flat_map(|facet| axes.facet_vertices(&lit(facet))));
+                if group.output != OutputKind::Reference {
+                    lines.extend(mark_lines.iter().flat_map(|line| axes.line_vertices(line)));
+                }
+            }
+        }
         for pose in poses {
             let axes = HullAxes::new(pose, scene);
             let yacht = pose.kind == FloatingObjectKind::Yacht;
@@ -127,19 +145,20 @@ impl HullPass {
                 lines.extend(self.lines.iter().flat_map(|line| axes.line_vertices(line)));
             }
         }
-        let (buffer, _) = self.vertices.get_or_insert_with(|| {
-            let largest = self.hulls.iter().map(|h| 3 * h.len()).max().unwrap_or(0);
-            // At every speed at which there is white water, it has equally many triangles.
-            let foam = yacht_foam(4.0, 0.0, 0.0).len();
-            let largest = largest + (6 * self.lines.len() + foam).max(3 * self.mast.len());
-            let bytes = (MAX_FLOATING_OBJECTS * largest * size_of::<HullVertex>()) as u64;
-            let buffer = gpu.storage_buffer("hulls", bytes);
-            let group = gpu.bind_group("hulls", &self.layout, &[buffer.as_entire_binding()]);
-            (buffer, group)
-        });
         (self.vertex_count, self.line_vertex_count) = (vertices.len() as u32, lines.len() as u32);
+        if vertices.is_empty() {
+            return;
+        }
         vertices.append(&mut lines);
-        gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&vertices));
+        let bytes = size_of_val(vertices.as_slice()) as u64;
+        if self.vertices.as_ref().is_none_or(|(buffer, _)| buffer.size() < bytes) {
+            let buffer = gpu.storage_buffer("hulls", bytes.next_power_of_two());
+            let group = gpu.bind_group("hulls", &self.layout, &[buffer.as_entire_binding()]);
+            self.vertices = Some((buffer, group));
+        }
+        if let Some((buffer, _)) = &self.vertices {
+            gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&vertices));
+        }
         self.select_pipelines(gpu, group, scene);
     }
 
@@ -167,7 +186,7 @@ impl HullPass {
         }
     }
 
-    /// Whether anything floats in the picture, so that hulls must be drawn.
+    /// Whether the picture has floating objects or seamarks.
     pub fn is_needed(&self) -> bool {
         self.vertex_count > 0
     }
@@ -186,7 +205,7 @@ impl HullPass {
     }
 }
 
-/// The axes of a hull in the picture.
+/// The axes of a hull or a seamark in the picture.
 struct HullAxes {
     /// Position relative to the point of the still water below the eye, m.
     origin: DVec3,
@@ -200,6 +219,18 @@ impl HullAxes {
         Self {
             origin: DVec3::from_array(pose.position_m) - below_eye,
             turn: DMat3::from_cols(ahead.cross(up), up, -ahead),
+        }
+    }
+
+    /// The axes of a seamark: -z points out to sea.
+    fn of_seamark(mark: &Seamark, coast: &PlacedCoast, scene: &Scene) -> Self {
+        let placement = coast.placement();
+        let [x, z] = placement.world_m(mark.at_m);
+        let (sin, cos) = placement.turn_rad.sin_cos();
+        let inland = DVec3::new(cos, 0.0, sin);
+        Self {
+            origin: DVec3::new(x - scene.view.eye.x, mark.ground_m, z - scene.view.eye.z),
+            turn: DMat3::from_cols(DVec3::Y.cross(inland), DVec3::Y, inland),
         }
     }
 

@@ -10,6 +10,7 @@ pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod noise;
+mod seamark_shapes;
 pub mod under;
 mod yacht_crew;
 mod yacht_foam;
