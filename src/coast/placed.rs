@@ -168,7 +168,7 @@ impl PlacedCoast {
         })
     }
 
-    /// Its lighthouse, harbour lights and beacons; a coast from a file has none.
+    /// Seamarks of a built-in coast: lighthouses, harbour lights and beacons. A coast from a file has none.
     pub fn seamarks(&self) -> &'static [Seamark] {
         self.built_in.and_then(BuiltInCoast::find).map_or(&[], |coast| coast.seamarks)
     }

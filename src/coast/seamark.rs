@@ -18,7 +18,7 @@ pub enum SeamarkKind {
 /// A seamark at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seamark {
-    /// What stands there.
+    /// Kind of the seamark.
     pub kind: SeamarkKind,
     /// Place of the middle of its tower in the frame of the coast, m.
     pub at_m: [f64; 2],

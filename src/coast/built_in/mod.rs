@@ -29,7 +29,7 @@ pub struct BuiltInCoast {
     pub depth_m: fn(f64, f64) -> f64,
     /// Its breakwaters and walls.
     pub structures: fn() -> Vec<Structure>,
-    /// Its lighthouse, harbour lights and beacons.
+    /// Seamarks of the coast: lighthouses, harbour lights and beacons.
     pub seamarks: &'static [Seamark],
 }
 

@@ -1,5 +1,5 @@
-//! The shapes of seamarks: a lighthouse with its keeper's house, harbour lights, and beacons on piles. Axes: x to the right
-//! of one who stands at the tower and looks out to sea, y up, -z out to sea; y = 0 is the ground.
+//! The shapes of seamarks: a lighthouse with its keeper's house, harbour lights, and beacons on piles. Axes: -z points
+//! out to sea, x to the right as one looks there, y up; y = 0 is the ground.
 
 use super::hull_shapes::{DARK_GREY, HullFacet, HullLine, RED, surface_of_revolution};
 use crate::coast::seamark::SeamarkKind;
@@ -126,29 +126,11 @@ fn house(facets: &mut Vec<HullFacet>) {
     const RIDGE_HEIGHT_M: f64 = 5.6;
     let at = |x: f64, y: f64, z: f64| HOUSE_MIDDLE_M + DVec3::new(x, y, z);
     let [length, width] = HALF_M;
+    facets.extend(walls(HOUSE_MIDDLE_M, HALF_M, [-FOUNDATION_M, EAVES_HEIGHT_M]));
     for side in [-1.0, 1.0] {
         let (x, z) = (side * length, side * width);
-        let out = DVec3::X * side;
-        let wall = [
-            at(x, -FOUNDATION_M, -width),
-            at(x, -FOUNDATION_M, width),
-            at(x, EAVES_HEIGHT_M, width),
-            at(x, EAVES_HEIGHT_M, -width),
-        ];
-        facets.extend(quad(wall, out, LIMEWASH));
-        facets.push(triangle(
-            [at(x, EAVES_HEIGHT_M, -width), at(x, EAVES_HEIGHT_M, width), at(x, RIDGE_HEIGHT_M, 0.0)],
-            out,
-            LIMEWASH,
-        ));
-        let out = DVec3::Z * side;
-        let wall = [
-            at(-length, -FOUNDATION_M, z),
-            at(length, -FOUNDATION_M, z),
-            at(length, EAVES_HEIGHT_M, z),
-            at(-length, EAVES_HEIGHT_M, z),
-        ];
-        facets.extend(quad(wall, out, LIMEWASH));
+        let gable = [at(x, EAVES_HEIGHT_M, -width), at(x, EAVES_HEIGHT_M, width), at(x, RIDGE_HEIGHT_M, 0.0)];
+        facets.push(triangle(gable, DVec3::X * side, LIMEWASH));
         // The roof overhangs.
         let (eaves, over) = (1.08 * z, length + 0.25);
         let low = EAVES_HEIGHT_M - 0.08 * (RIDGE_HEIGHT_M - EAVES_HEIGHT_M);
@@ -164,17 +146,23 @@ fn house(facets: &mut Vec<HullFacet>) {
             let (half, low, high) = if door { (0.5, 0.0, 2.1) } else { (0.45, 0.9, 2.2) };
             let z = side * (width + 0.03);
             let corners = [at(x - half, low, z), at(x + half, low, z), at(x + half, high, z), at(x - half, high, z)];
-            facets.extend(quad(corners, out, if door { RED } else { DARK_GREY }));
+            facets.extend(quad(corners, DVec3::Z * side, if door { RED } else { DARK_GREY }));
         }
-        let chimney = |x: f64, z: f64, y: f64| at(0.82 * side * length + x, y, z);
-        for (nx, nz) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
-            let corner = |end: f64, y: f64| chimney(0.45 * nx - 0.45 * end * nz, 0.45 * nz + 0.45 * end * nx, y);
-            let wall = [corner(-1.0, 4.6), corner(1.0, 4.6), corner(1.0, 6.6), corner(-1.0, 6.6)];
-            facets.extend(quad(wall, DVec3::new(nx, 0.0, nz), LIMEWASH));
-        }
-        let top = [(-0.45, -0.45), (0.45, -0.45), (0.45, 0.45), (-0.45, 0.45)].map(|(x, z)| chimney(x, z, 6.6));
-        facets.extend(quad(top, DVec3::Y, DARK_GREY));
+        let chimney = at(0.82 * x, 0.0, 0.0);
+        facets.extend(walls(chimney, [0.45, 0.45], [4.6, 6.6]));
+        let top = [(-0.45, -0.45), (0.45, -0.45), (0.45, 0.45), (-0.45, 0.45)];
+        facets.extend(quad(top.map(|(x, z)| chimney + DVec3::new(x, 6.6, z)), DVec3::Y, DARK_GREY));
     }
+}
+
+/// Four limewashed walls around `middle`: half the length along x and half the width along z, and their heights, m.
+fn walls(middle: DVec3, [length, width]: [f64; 2], [low, high]: [f64; 2]) -> Vec<HullFacet> {
+    let wall = |out: DVec3| {
+        let (aside, half) = (DVec3::new(-out.z, 0.0, out.x), DVec3::new(length, 0.0, width));
+        let at = |end: f64, y: f64| middle + (out + end * aside) * half + DVec3::Y * y;
+        quad([at(-1.0, low), at(1.0, low), at(1.0, high), at(-1.0, high)], out, LIMEWASH)
+    };
+    [DVec3::X, -DVec3::X, DVec3::Z, -DVec3::Z].into_iter().flat_map(wall).collect()
 }
 
 /// The light at the head of a breakwater.
