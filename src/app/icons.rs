@@ -1,7 +1,7 @@
 //! Symbols of the panel's buttons: glyphs of the Lucide icons (assets/icons.ttf holds those that are used; licence in
 //! assets/icons-license.txt).
 
-use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
+use std::sync::Arc;
 
 pub const SEAS: &str = "\u{e283}";
 pub const WEATHER: &str = "\u{e1b0}";
@@ -22,15 +22,20 @@ pub const OPEN: &str = "\u{e247}";
 pub const LINK: &str = "\u{e102}";
 pub const PICTURE: &str = "\u{e0f6}";
 
-/// Adds the symbols, and the names of Japanese and Chinese, to egui's fonts, for characters that the text fonts lack.
+/// Sets the fonts of the interface: a text font, and symbols and the names of Japanese and Chinese for characters that the
+/// text font lacks. Both of egui's families get the same fonts, because no text needs letters of equal width.
 pub fn install(ctx: &egui::Context) {
-    let fonts: [(_, &[u8]); 2] = [
+    let fonts: [(&str, &[u8]); 3] = [
+        ("Ubuntu Light", epaint_default_fonts::UBUNTU_LIGHT),
         ("icons", include_bytes!("../../assets/icons.ttf")),
         ("names of languages", include_bytes!("../../assets/languages/names.ttf")),
     ];
+    let mut definitions = egui::FontDefinitions::empty();
     for (name, bytes) in fonts {
-        let family = egui::FontFamily::Proportional;
-        let last = vec![InsertFontFamily { family, priority: FontPriority::Lowest }];
-        ctx.add_font(FontInsert::new(name, egui::FontData::from_static(bytes), last));
+        definitions.font_data.insert(name.to_owned(), Arc::new(egui::FontData::from_static(bytes)));
+        for family in [egui::FontFamily::Proportional, egui::FontFamily::Monospace] {
+            definitions.families.entry(family).or_default().push(name.to_owned());
+        }
     }
+    ctx.set_fonts(definitions);
 }

@@ -92,11 +92,17 @@ impl PictureCaption {
 mod tests {
     use super::*;
 
+    /// A context with the interface's fonts, which its first frame loads.
+    fn context() -> egui::Context {
+        let ctx = egui::Context::default();
+        crate::app::icons::install(&ctx);
+        ctx.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
+        ctx
+    }
+
     #[test]
     fn letters_stand_on_a_dark_band() {
-        let ctx = egui::Context::default();
-        // Fonts are loaded by the first frame.
-        ctx.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
+        let ctx = context();
         let size = [400, 200];
         let mut pixels = vec![200; 4 * 400 * 200];
         PictureCaption::new(&ctx, "Force 5 sea, waves 1.9 m high", size).draw(&mut pixels, size);
@@ -109,8 +115,7 @@ mod tests {
 
     #[test]
     fn pictures_of_any_size_have_room() {
-        let ctx = egui::Context::default();
-        ctx.run_ui(egui::RawInput::default(), |_| {}).textures_delta.clear();
+        let ctx = context();
         for size in [[1, 1], [30, 8], [8, 300]] {
             let mut pixels = vec![0; 4 * (size[0] * size[1]) as usize];
             PictureCaption::new(&ctx, "Force 12 sea, waves 14.0 m high", size).draw(&mut pixels, size);
