@@ -4,6 +4,13 @@
 const FOAM_FRONT_RANGE = vec2f(0.3, 0.65);
 // Cover of a full front: between its billows a few holes stay open.
 const FOAM_FULL_FRONT = 0.96;
+// The same at a coast, where the front of a low bore would be a carpet: it rises more slowly, a full front stays lace, and
+// its cover is smaller by the factor FOAM_SURF_PASSED where the roller has passed. The roller makes half of the excess
+// over the breaking criterion (foam/foam.wgsl): between the two values of FOAM_SURF_ROLLING it is there.
+const FOAM_SURF_FRONT_RANGE = vec2f(0.3, 1.0);
+const FOAM_SURF_FULL_FRONT = 0.88;
+const FOAM_SURF_ROLLING = vec2f(1.7, 2.0);
+const FOAM_SURF_PASSED = 0.6;
 // Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
 // the mean of fronts and of the rest is that of the simulated foam, within 3 % in winds of 10 to 20 m/s.
 const FOAM_FRONT_SHARES = vec2f(0.32, 0.18);
@@ -55,12 +62,16 @@ fn foam_amount(cell: vec4f, filled: f32, beyond: f32) -> FoamAmount {
   if cell.z <= FOAM_FRONT_RANGE.x && (old + mean) * frame.foam_amount < FOAM_MIN_AMOUNT {
     return FoamAmount(0.0, 0.0, plume, 0.0);
   }
-  let rise = (cell.z - FOAM_FRONT_RANGE.x) / (FOAM_FRONT_RANGE.y - FOAM_FRONT_RANGE.x);
-  let front = FOAM_FULL_FRONT * filled * maths_smooth(rise);
+  // Where the crest no longer breaks, the foam that its front has left is lace.
+  var breaking = maths_smooth(cell.y);
+  var front = FOAM_FULL_FRONT * maths_rise(cell.z, FOAM_FRONT_RANGE);
+  if WATER_COAST {
+    breaking = maths_rise(cell.y, FOAM_SURF_ROLLING);
+    front = FOAM_SURF_FULL_FRONT * mix(FOAM_SURF_PASSED, 1.0, breaking) * maths_rise(cell.z, FOAM_SURF_FRONT_RANGE);
+  }
+  front *= filled;
   let rest = (1.0 - FOAM_FRONT_SHARES.x * filled) / (1.0 - FOAM_FRONT_SHARES.y * filled);
   let all = front + (1.0 - front) * (rest * old) + mean;
-  // Where the crest no longer breaks, the foam that its front has left is lace.
-  let breaking = maths_smooth(cell.y);
   let fresh = (front * breaking + FOAM_FRONT_SHARES.x * mean) / max(all, 1e-4);
   let young = ((cell.x + mean) / max(plume, 1e-4) - FOAM_OLD_RATIO) * FOAM_INVERSE_RATIO_RANGE;
   return FoamAmount(min(all * frame.foam_amount, 1.0), fresh, plume, saturate(young));

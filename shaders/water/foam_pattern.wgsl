@@ -9,7 +9,7 @@
 
 // Weights of the layers in the pattern of a breaker's front: windrows, billows, strands and threads. Their squares add up
 // to 1.
-const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.68, 0.6, 0.41);
+const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.45, 0.72, 0.52);
 // Change of these weights at the edge of a front, where it covers half of the water: fewer billows, more strands and
 // threads, so that the edge is lace.
 const FOAM_FRONT_EDGE_WEIGHTS = vec4f(0.0, -0.24, 0.08, 0.2);
@@ -18,17 +18,26 @@ const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
 const FOAM_NEW_WEIGHTS = vec4f(0.5, 0.8, 1.05, 1.2);
 // Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
 const FOAM_FILM_SOFTNESS = 0.4;
-const FOAM_BODY_SOFTNESS = vec2f(0.2, 0.28);
+const FOAM_BODY_SOFTNESS = vec2f(0.12, 0.12);
 // Opacity of the film (x), through which water shows, and what the body adds where it lies on it (y): of the oldest
 // foam, of new foam and of a front. The mean over the life of whitecaps is about half of that of a front (Koepke 1984).
 const FOAM_OLD_OPACITY = vec2f(0.11, 0.55);
 const FOAM_NEW_OPACITY = vec2f(0.16, 0.70);
-const FOAM_FRONT_OPACITY = vec2f(0.36, 0.62);
+const FOAM_FRONT_OPACITY = vec2f(0.20, 0.78);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.35, -0.45);
 // Fraction of the foam that belongs to fronts, from which billows show.
 const FOAM_MIN_BILLOWING = 0.2;
+
+// Size of billows at a coast relative to that in the open sea, as in src/render/water/material.rs: breakers in shallow
+// water are lower than those of a storm.
+const FOAM_SURF_BILLOW_SCALE = 0.27;
+
+// Size of the billows relative to that in the open sea.
+fn foam_billow_scale() -> f32 {
+  return select(1.0, FOAM_SURF_BILLOW_SCALE, WATER_COAST);
+}
 
 // Mip levels of the noise layers in a pixel.
 struct FoamLods {

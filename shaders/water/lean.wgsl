@@ -126,8 +126,9 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
   var relief = vec2f(0.0);
   if is_front {
     let sun = frame.sun_direction.xz * inverseSqrt(max(dot(frame.sun_direction.xz, frame.sun_direction.xz), 1e-6));
-    let step_m = max(LEAN_RELIEF_STEP_M, WATER_TAP_TEXEL_RATIO * foot.side_m);
-    let rise = (material_noise(wide, at + step_m * sun, lods.y).a - 0.5 - heaps.y) * (LEAN_BILLOW_M / step_m);
+    let scale = foam_billow_scale();
+    let step_m = max(scale * LEAN_RELIEF_STEP_M, WATER_TAP_TEXEL_RATIO * foot.side_m);
+    let rise = (material_noise(wide, at + step_m * sun, lods.y).a - 0.5 - heaps.y) * (scale * LEAN_BILLOW_M / step_m);
     relief = (material.foam_relief * rise * inverseSqrt(1.0 + rise * rise)) * sun;
     noise.y = heaps.y;
     lumps += FOAM_BILLOW_GRAIN * heaps.y;
@@ -206,6 +207,9 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
   var foam: FoamAmount;
   if WATER_FOAM {
     foam = lean_foam_level(point.undisplaced, foot);
+    if WATER_COAST {
+      foam.fresh *= shore_front_thickness(slope.jacobian);
+    }
     if WATER_HULLS {
       foam = wake_add_foam(foam, wake);
     }

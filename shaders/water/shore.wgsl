@@ -45,6 +45,8 @@ const SHORE_FACE_FALLS = vec2f(0.1, 0.4);
 const SHORE_FACE_COVER = 0.98;
 // Jacobians of the displacement up to which (x) the surface counts as folded, and from which (y) it does not.
 const SHORE_FOLDED_JACOBIANS = vec2f(0.1, 0.45);
+// Part of a front that is a thick heap where the surface is not folded.
+const SHORE_LOW_FRONT = 0.35;
 // The slope of a folded surface has no meaning. Foam there is lit as if this part of the slope were missing.
 const SHORE_FOLDED_SLOPE_LOSS = 0.7;
 // Share of foam on a wall of concrete, which throws waves back without breaking them.
@@ -141,6 +143,12 @@ fn shore_more_foam(foam: FoamAmount, cover: f32, young: f32, fresh: f32) -> Foam
 // How far the displacement has squeezed or folded the surface, 0 to 1, where it has the Jacobian `jacobian`.
 fn shore_folded(jacobian: f32) -> f32 {
   return 1.0 - maths_rise(jacobian, SHORE_FOLDED_JACOBIANS);
+}
+
+// Part of the foam of a front that is a thick heap, where the displacement has the Jacobian `jacobian`: that of an upright
+// front is, and that of a low bore is mostly lace.
+fn shore_front_thickness(jacobian: f32) -> f32 {
+  return mix(SHORE_LOW_FRONT, 1.0, shore_folded(jacobian));
 }
 
 // Footprint with which a pixel at `position` relative to the eye reads the pattern of foam: `foot`, which lies on the

@@ -110,6 +110,9 @@ fn water_radiance(point: WaterPoint, foot: WaterFootprint, seen: WaterSlope, gus
   var front = 0.0;
   if WATER_FOAM {
     foam = foam_level(point.undisplaced, foot);
+    if WATER_COAST {
+      foam.fresh *= shore_front_thickness(slope.jacobian);
+    }
     if WATER_LAND {
       let size = WATER_TAP_TEXEL_RATIO * foot.length_m;
       foam = shore_add_lace(foam, ground, point.position.xz, point.height, fall, slope.jacobian, size);
