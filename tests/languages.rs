@@ -125,11 +125,12 @@ fn every_language_has_every_text() {
 #[test]
 fn fonts_have_every_character() {
     for (language, translations) in languages() {
-        let mut fonts = egui::FontDefinitions::default();
+        let mut fonts = egui::FontDefinitions::empty();
         let mut add = |name: &str, bytes: Vec<u8>| {
             fonts.font_data.insert(name.to_owned(), egui::FontData::from_owned(bytes).into());
             fonts.families.entry(egui::FontFamily::Proportional).or_default().push(name.to_owned());
         };
+        add("text", epaint_default_fonts::UBUNTU_LIGHT.to_vec());
         add("icons", fs::read("assets/icons.ttf").expect("the icons"));
         if matches!(language, Language::Japanese | Language::Chinese) {
             add("own", fs::read(format!("assets/languages/{}.ttf", language.word())).expect("the language's font"));

@@ -29,7 +29,7 @@ const LAND_DRY_FROM_M = 0.4;
 
 // Heights of the dents in trodden sand, m for each deviation of the fractal noise and of that of blocks, which become pits;
 // and the step over which their slope is taken, m.
-const LAND_TRODDEN_M = vec2f(0.007, -0.007);
+const LAND_TRODDEN_M = vec2f(0.003, -0.006);
 const LAND_TRODDEN_STEP_M = 0.04;
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
@@ -71,8 +71,8 @@ fn land_sand(
   }
   let left = saturate(0.6 * middle.w - 0.2 * middle.z - 0.25) * wet;
   out.relief = vec2f((0.30 * rippled + 0.10 * left) * fine.x, 0.0);
-  // Dry sand is trodden. Far away the pattern would repeat.
-  let trodden = (1.0 - wet) * saturate(1.2 - 6.0 * size);
+  // Dry sand is trodden in places. Far away the pattern would repeat.
+  let trodden = (1.0 - wet) * saturate(1.2 - 6.0 * size) * saturate(0.5 + 0.6 * middle.w + 0.5 * middle.z);
   if trodden > 0.0 {
     // Only the slope towards the sun decides how bright the sand is.
     let step_m = max(LAND_TRODDEN_STEP_M, size);

@@ -4,15 +4,15 @@
 const FOAM_FRONT_RANGE = vec2f(0.3, 0.65);
 // Cover of a full front: between its billows a few holes stay open.
 const FOAM_FULL_FRONT = 0.96;
-// The same at a coast, where the front of a low bore would be a carpet: it rises more slowly, a full front stays lace, and
-// its cover is smaller by the factor FOAM_SURF_PASSED where the roller has passed. The roller makes half of the excess
-// over the breaking criterion (foam/foam.wgsl): between the two values of FOAM_SURF_ROLLING it is there.
-const FOAM_SURF_FRONT_RANGE = vec2f(0.3, 1.0);
+// Range and cover of a front in a sea with a coast. There the range above would make a low bore a white carpet.
+const FOAM_SURF_FRONT_RANGE = vec2f(FOAM_FRONT_RANGE.x, 1.0);
 const FOAM_SURF_FULL_FRONT = 0.88;
+// Excess over the breaking criterion, which is twice the strength of a coast's roller (foam/foam.wgsl), from which a
+// roller is there, and at which it is strongest. Factor on the cover of a front where no roller is.
 const FOAM_SURF_ROLLING = vec2f(1.7, 2.0);
 const FOAM_SURF_PASSED = 0.6;
 // Means, relative to that of the foam, of fronts that fill their cells, and of the foam that lies in them. With them,
-// the mean of fronts and of the rest is that of the simulated foam, within 3 % in winds of 10 to 20 m/s.
+// the mean of fronts and of the rest is that of the simulated foam, within 3 % in winds of 10 to 20 m/s without a coast.
 const FOAM_FRONT_SHARES = vec2f(0.32, 0.18);
 // Mean of the plume relative to that of the foam.
 const FOAM_MEAN_PLUME_RATIO = 1.4;

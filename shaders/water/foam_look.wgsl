@@ -1,7 +1,7 @@
 // Opacity and relief of the foam in a pixel. foam_pattern.wgsl holds the pattern of noise that tells where foam lies.
 
 // Standard deviation of the height of a front's billows of metres (x), lumps of decimetres (y) and bubbles of
-// centimetres (z), m. Lengths of billows are those in the open sea (see foam_billow_scale).
+// centimetres (z), m.
 const FOAM_LUMP_HEIGHT_M = vec3f(0.2, 0.04, 0.008);
 // Height of the body of old foam (x) and of a front (y) above the water, m.
 const FOAM_BODY_HEIGHT_M = vec2f(0.03, 0.15);
@@ -46,8 +46,7 @@ struct FoamPlace {
 fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubbles: bool, step_m: f32) -> vec2f {
   let flat_square = max(dot(frame.sun_direction.xz, frame.sun_direction.xz), 1e-6);
   let sun = frame.sun_direction.xz * inverseSqrt(flat_square);
-  let scale = foam_billow_scale();
-  let steps = max(FOAM_RELIEF_STEP_M * vec3f(scale, 1.0, 1.0), vec3f(step_m));
+  let steps = max(FOAM_RELIEF_STEP_M, vec3f(step_m));
   var noise = place.noise;
   let ahead = foam_strands(pattern, place.at + steps.y * sun, lods);
   noise.z = ahead.x;
@@ -56,14 +55,13 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
   var rise = (6.08 * FOAM_LUMP_HEIGHT_M.y * (ahead.y - place.heights.y) + thick_m * (body - place.body)) / steps.y;
   var lit = 1.0;
   if pattern.turn.y > FOAM_MIN_BILLOWING {
-    let height_m = 6.08 * scale * FOAM_LUMP_HEIGHT_M.x * pattern.turn.y;
+    let height_m = 6.08 * FOAM_LUMP_HEIGHT_M.x * pattern.turn.y;
     let near = material_noise(FOAM_BILLOW_LAYER, place.at + steps.x * sun, lods.front.x).a - 0.5 - place.heights.x;
     rise += height_m * near / steps.x;
-    let shade_m = scale * FOAM_SHADOW_STEP_M;
-    let far = material_noise(FOAM_BILLOW_LAYER, place.at + shade_m * sun, lods.front.x).a - 0.5;
-    let ray_m = shade_m * frame.sun_direction.y * inverseSqrt(flat_square);
+    let far = material_noise(FOAM_BILLOW_LAYER, place.at + FOAM_SHADOW_STEP_M * sun, lods.front.x).a - 0.5;
+    let ray_m = FOAM_SHADOW_STEP_M * frame.sun_direction.y * inverseSqrt(flat_square);
     let over = height_m * (far - place.heights.x) - ray_m;
-    lit = 1.0 - FOAM_SHADOW * maths_smooth(0.5 + over * (0.3 / (scale * FOAM_LUMP_HEIGHT_M.x)));
+    lit = 1.0 - FOAM_SHADOW * maths_smooth(0.5 + over * (0.3 / FOAM_LUMP_HEIGHT_M.x));
   }
   if sees_bubbles {
     let fine = material_noise(FOAM_THREAD_LAYER, place.at + steps.z * sun, lods.layers.w).a - 0.5 - place.heights.z;

@@ -16,9 +16,8 @@ const FOAM_FRONT_EDGE_WEIGHTS = vec4f(0.0, -0.24, 0.08, 0.2);
 // Factors on the weights of the layers (material.rs), which grow with the wind, in the oldest foam and in new foam.
 const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
 const FOAM_NEW_WEIGHTS = vec4f(0.5, 0.8, 1.05, 1.2);
-// Softness of the edge of the film, and of the body of old foam (x) and of a front (y), in deviations of the pattern.
-const FOAM_FILM_SOFTNESS = 0.4;
-const FOAM_BODY_SOFTNESS = vec2f(0.12, 0.12);
+// Softness of the edges of film (x) and body (y), in deviations of the pattern.
+const FOAM_SOFTNESS = vec2f(0.4, 0.12);
 // Opacity of the film (x), through which water shows, and what the body adds where it lies on it (y): of the oldest
 // foam, of new foam and of a front. The mean over the life of whitecaps is about half of that of a front (Koepke 1984).
 const FOAM_OLD_OPACITY = vec2f(0.11, 0.55);
@@ -29,15 +28,6 @@ const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
 const FOAM_FRONT_SHIFT = vec2f(0.35, -0.45);
 // Fraction of the foam that belongs to fronts, from which billows show.
 const FOAM_MIN_BILLOWING = 0.2;
-
-// Size of billows at a coast relative to that in the open sea, as in src/render/water/material.rs: breakers in shallow
-// water are lower than those of a storm.
-const FOAM_SURF_BILLOW_SCALE = 0.27;
-
-// Size of the billows relative to that in the open sea.
-fn foam_billow_scale() -> f32 {
-  return select(1.0, FOAM_SURF_BILLOW_SCALE, WATER_COAST);
-}
 
 // Mip levels of the noise layers in a pixel.
 struct FoamLods {
@@ -99,10 +89,10 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
   // Old foam and fronts have layers that are independent, so that their sum keeps its variance.
   out.turn = sqrt(vec2f(1.0 - fresh, fresh));
   let quantile = maths_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
-  let soft = vec2f(FOAM_FILM_SOFTNESS, mix(FOAM_BODY_SOFTNESS.x, FOAM_BODY_SOFTNESS.y, fresh));
   let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
-  out.edge = sqrt(1.0 + soft * soft) * (quantile + shift);
-  out.sharp = inverseSqrt(soft * soft + unresolved);
+  let square = FOAM_SOFTNESS * FOAM_SOFTNESS;
+  out.edge = sqrt(1.0 + square) * (quantile + shift);
+  out.sharp = inverseSqrt(square + unresolved);
   out.opacity = mix(mix(FOAM_OLD_OPACITY, FOAM_NEW_OPACITY, amount.young), FOAM_FRONT_OPACITY, fresh);
   let covered = exp(-0.5 * quantile * quantile) * (0.4 / 6.08) / max(amount.cover, 1e-4);
   out.usual = out.turn.y * weights.y * kept.y * covered;

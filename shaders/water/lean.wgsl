@@ -126,9 +126,8 @@ fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearan
   var relief = vec2f(0.0);
   if is_front {
     let sun = frame.sun_direction.xz * inverseSqrt(max(dot(frame.sun_direction.xz, frame.sun_direction.xz), 1e-6));
-    let scale = foam_billow_scale();
-    let step_m = max(scale * LEAN_RELIEF_STEP_M, WATER_TAP_TEXEL_RATIO * foot.side_m);
-    let rise = (material_noise(wide, at + step_m * sun, lods.y).a - 0.5 - heaps.y) * (scale * LEAN_BILLOW_M / step_m);
+    let step_m = max(LEAN_RELIEF_STEP_M, WATER_TAP_TEXEL_RATIO * foot.side_m);
+    let rise = (material_noise(wide, at + step_m * sun, lods.y).a - 0.5 - heaps.y) * (LEAN_BILLOW_M / step_m);
     relief = (material.foam_relief * rise * inverseSqrt(1.0 + rise * rise)) * sun;
     noise.y = heaps.y;
     lumps += FOAM_BILLOW_GRAIN * heaps.y;

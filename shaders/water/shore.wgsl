@@ -145,8 +145,8 @@ fn shore_folded(jacobian: f32) -> f32 {
   return 1.0 - maths_rise(jacobian, SHORE_FOLDED_JACOBIANS);
 }
 
-// Part of the foam of a front that is a thick heap, where the displacement has the Jacobian `jacobian`: that of an upright
-// front is, and that of a low bore is mostly lace.
+// Part of a front that is a thick heap, where the displacement has the Jacobian `jacobian`: all of an upright front is,
+// and a low bore is mostly lace.
 fn shore_front_thickness(jacobian: f32) -> f32 {
   return mix(SHORE_LOW_FRONT, 1.0, shore_folded(jacobian));
 }

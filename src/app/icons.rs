@@ -22,8 +22,8 @@ pub const OPEN: &str = "\u{e247}";
 pub const LINK: &str = "\u{e102}";
 pub const PICTURE: &str = "\u{e0f6}";
 
-/// Sets the fonts of the interface: a text font, and symbols and the names of Japanese and Chinese for characters that the
-/// text font lacks. Both of egui's families get the same fonts, because no text needs letters of equal width.
+/// Sets the fonts of the interface: a text font, and symbols and the names of Japanese and Chinese for characters that
+/// the text font lacks. Both of egui's families get the same fonts, because no text needs letters of equal width.
 pub fn install(ctx: &egui::Context) {
     let fonts: [(&str, &[u8]); 3] = [
         ("Ubuntu Light", epaint_default_fonts::UBUNTU_LIGHT),

@@ -17,7 +17,8 @@ thread_local! {
     static CURRENT: Cell<Option<(&'static Translations, bool)>> = const { Cell::new(None) };
 }
 
-/// Contents of a language's files: translations in JSON, and a font unless the fonts of icons.rs have all its characters.
+/// Contents of a language's files: translations in JSON, and a font unless the fonts of icons.rs have all of its
+/// characters.
 pub type LanguageFiles = (Vec<u8>, Option<Vec<u8>>);
 
 /// The translation of an English text, or the text itself if the current language has none.

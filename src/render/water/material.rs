@@ -39,11 +39,6 @@ impl LayerShape {
         Self::foam([side_m, side_m, turn_deg, 0.0], [0.0; 2])
     }
 
-    /// The shape with a tile that is larger by the factor `scale`.
-    fn scaled(self, scale: f64) -> Self {
-        Self { along_m: scale * self.along_m, across_m: scale * self.across_m, ..self }
-    }
-
     const fn roughness(shape: [f64; 4], speed: f64) -> Self {
         Self { speed, ..Self::foam(shape, [0.0; 2]) }
     }
@@ -70,10 +65,6 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     // The wind has not drawn them out yet: stretched strands would hang down a front like combed wool.
     LayerShape::foam([8.3, 10.7, 23.0, 0.0], [0.0; 2]),
 ];
-/// The layer of billows, and their size at a coast relative to that in the open sea, as in shaders/water/foam_pattern.wgsl:
-/// breakers in shallow water are lower than those of a storm.
-const BILLOW_LAYER: usize = 10;
-const SURF_BILLOW_SCALE: f64 = 0.27;
 /// Least density of texels that a layer counts with, relative to that along its denser axis: a longer tile would
 /// flicker across its axis.
 const MIN_DENSITY_RATIO: f64 = 0.4;
@@ -255,9 +246,8 @@ impl MaterialUniform {
             bed_colour: colour(bed.colour),
             sunlight_scatter_factor: scattering.diffuse_strength as f32,
             noise_layers: std::array::from_fn(|i| {
-                let is_smaller = scene.has_coast && i == BILLOW_LAYER;
-                let shape = LAYER_SHAPES[i].scaled(if is_smaller { SURF_BILLOW_SCALE } else { 1.0 });
-                NoiseLayer::new(shape, scene.sea.downwind, gale, below_eye - shape.speed * wind_path_m)
+                let on_layer = below_eye - LAYER_SHAPES[i].speed * wind_path_m;
+                NoiseLayer::new(LAYER_SHAPES[i], scene.sea.downwind, gale, on_layer)
             }),
             inverse_relative_index: into_water as f32,
             schlick_exponent: reflection.schlick_exponent as f32,
