@@ -125,10 +125,10 @@ const LAND_BEDS_M = 17.0;
 const LAND_FACE_M = 59.0;
 const LAND_BEDS_STRETCH = 0.05;
 // Heights of lumps and of blocks of rock, m for each deviation of their noise.
-const LAND_FACE_RELIEF_M = vec2f(0.09, 0.11);
+const LAND_FACE_RELIEF_M = vec2f(0.13, 0.24);
 // Slope that the sides of lumps and blocks do not exceed, and slopes of the finest detail for each deviation of its
 // noise.
-const LAND_FACE_STEEPEST = 0.4;
+const LAND_FACE_STEEPEST = 0.85;
 const LAND_DETAIL_SLOPES = vec2f(0.3, 0.22);
 // Share of the distance inland in the vertical coordinate of faces, and side of the tile of their finest detail, m.
 const LAND_FACE_LEAN = 0.6;
@@ -171,7 +171,7 @@ fn land_rock(
   let ledge = clamp(1.1 * beds.z + 0.3 * beds.w, -1.3, 1.5);
   out.relief = 0.65 * ledge * slope + facet * toward + LAND_DETAIL_SLOPES * detail.wz;
   // Thin strata: each has a tone of its own, a worn upper edge, and a joint below.
-  let strata = layer * (1.0 / LAND_STRATUM_M) + 0.35 * beds.z + 0.22 * middle.z;
+  let strata = layer * (1.0 / LAND_STRATUM_M) + 0.12 * beds.z + 0.06 * middle.z;
   let part = fract(strata);
   let pixel = size * length(slope) / LAND_STRATUM_M;
   let seen = walls * saturate(1.6 - 2.2 * pixel);
