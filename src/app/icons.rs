@@ -1,5 +1,5 @@
-//! Symbols of the panel's buttons: glyphs of the Lucide icons (assets/icons.ttf holds those that are used; licence in
-//! assets/icons-license.txt).
+//! Fonts of the interface, and the symbols of the panel's buttons: glyphs of the Lucide icons (assets/icons.ttf holds
+//! those that are used; licence in assets/icons-license.txt).
 
 use std::sync::Arc;
 
