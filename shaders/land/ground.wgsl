@@ -8,8 +8,8 @@ struct LandGround {
   albedo: vec3f,
   // Slope of the fine relief, to be added to that of the land, in the frame of the coast.
   relief: vec2f,
-  // Share of the pixel under a film of water, 0 to 1.
-  film: f32,
+  // Shares of the pixel under a film of water that mirrors (x), and where foam of the last waves stays (y), 0 to 1.
+  film: vec2f,
 }
 
 // The grounds `a` and `b`, with the share of `b`.
@@ -29,7 +29,7 @@ const LAND_DRY_FROM_M = 0.4;
 
 // Heights of the dents in trodden sand, m for each deviation of the fractal noise and of that of blocks, which become pits;
 // and the step over which their slope is taken, m.
-const LAND_TRODDEN_M = vec2f(0.003, -0.006);
+const LAND_TRODDEN_M = vec2f(0.0012, -0.003);
 const LAND_TRODDEN_STEP_M = 0.04;
 
 // Bare sand, from dry to wet, with what the sea has left at its upper line.
@@ -80,7 +80,7 @@ fn land_sand(
     out.relief += (trodden / step_m) * dot(LAND_TRODDEN_M, sunward.zw - fine.zw) * land.toward_sun;
   }
   // Sand that is full of water shines, too.
-  out.film = max(film, LAND_SHEEN * fresh * fresh);
+  out.film = vec2f(max(film, LAND_SHEEN * fresh * fresh));
   return out;
 }
 
@@ -192,7 +192,7 @@ fn land_rock(
   let open = (1.0 - (0.4 + 0.5 * crumbled) * cracks.x) * (1.0 - 0.6 * cracks.y) * (1.0 - 0.3 * cracks.z)
     * (1.0 - 0.6 * joint);
   out.albedo = washed.rgb * open;
-  out.film = 0.35 * washed.w;
+  out.film = LAND_STONE_FILM * washed.w;
   return out;
 }
 

@@ -179,17 +179,17 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   var film = ground.film;
   var sheet = vec2f(0.0);
   var swept = 0.0;
-  if film > 0.0 || (shown.y == 0.0 && height < run_up) {
+  if film.x > 0.0 || (shown.y == 0.0 && height < run_up) {
     swept = swash_cover(position.xz, size);
     if swept > SWASH_SWEPT.x && shown.y == 0.0 {
       let bend = swash_tongues(place, size);
       // Level rock keeps as little of a film as steep rock.
       let steep_or_rock = max(length(slope), land_level_rock(around, height));
       sheet = swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, steep_or_rock);
-      film = max(film, sheet.x);
+      film = max(film, sheet.xx);
     }
   }
-  if film > 0.0 {
+  if film.x > 0.0 {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
     let smooth_tilt = land_film_slope(place, land_to_world(slope), size);
     let v = vec3f(-dir.x, max(-dir.y, 1e-3), -dir.z);
@@ -200,9 +200,9 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     // Sand that is not yet damp is no brighter under water than that of the bed.
     let wet = min(ground.albedo / (LAND_DRY * LAND_DAMP), material.bed_colour) * entering / ATM_PI;
-    radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, film * lies);
+    radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, film.x * lies);
     // Foam that a higher wave has left thins out on damp sand and on rock as the water does.
-    let cover = lies * max(film * SWASH_LEFT * swept, SWASH_LIP_COVER * sheet.y);
+    let cover = lies * max(film.y * SWASH_LEFT * swept, SWASH_LIP_COVER * sheet.y);
     let foam = swash_foam(position.xz, size, cover, dir);
     // Wet bubbles mirror the sky as the film between them does.
     let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + FOAM_SHORE_SHEEN * radiance;

@@ -16,7 +16,7 @@ fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
   let lines = saturate(1.2 - strand / width) * (least / width);
   let scraps = saturate(1.0 - off * vec2f(7.0, 12.0)) * saturate(0.9 * fine.w + 0.8 * fine.z - 1.1);
   let left = saturate(vec2f(0.75, 0.45) + vec2f(0.6 * middle.w, 0.55 * middle.z) + 0.35 * fine.w);
-  return saturate(0.7 * dot(lines, left) + 0.12 * dot(scraps, left));
+  return saturate(0.4 * dot(lines, left) + 0.12 * dot(scraps, left));
 }
 
 // Distance between the marks of two waves, relative to 0.4 m more than the height of the run-up.
