@@ -81,13 +81,15 @@ fn land_cliff_share(place: vec2f, height: f32, size: f32) -> f32 {
   return land_foot_share(land_at(place, land_lod(max(LAND_AROUND_M, 2.0 * size))), height);
 }
 
+// Mean slopes of the ground around between which rock lies bare also where it is level, and the part of the slope of the
+// land itself that counts as much.
+const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
+const LAND_CLIFF_LOCAL = 0.6;
+
 // Share of blocks or concrete in the ground. `map` is that of land_at.
 fn land_built_share(map: vec4f) -> f32 {
   return saturate(4.0 * abs(map.w) - 1.0);
 }
-
-// Slope of the ledges of rock relative to the mean slope over tens of metres.
-const LAND_UNEVEN = 2.0;
 
 // Mean albedo of the ground over tens of metres, without the patterns of shaders/land/ground.wgsl. `map` is that of
 // land_at.
@@ -97,7 +99,7 @@ fn land_mean_albedo(place: vec2f, map: vec4f) -> vec3f {
   let back = land_back_share(place, height, 0.0);
   let green = mix(mix(LAND_MARRAM, LAND_STRAW, 0.37), 0.5 * (LAND_HEATH + LAND_TURF), back);
   albedo = mix(albedo, green, max(saturate(0.54 * (height - LAND_GRASS_M)), back));
-  let rock = land_rock_share(LAND_UNEVEN * length(map.yz));
+  let rock = maths_rise(LAND_CLIFF_LOCAL * length(map.yz), LAND_CLIFF_SLOPES);
   albedo = mix(albedo, mix(LAND_DARK_ROCK, LAND_ROCK, 0.5), rock);
   return mix(albedo, select(LAND_CONCRETE, LAND_BLOCK, map.w < 0.0), land_built_share(map));
 }
@@ -110,9 +112,10 @@ const LAND_TIDE_M = vec2f(1.1, 0.6);
 // Fraction of its albedo that wet stone keeps.
 const LAND_WET_STONE = 0.52;
 
-// Shares of wet stone under a film of water that mirrors (x), because the rest is rough, and where foam of the last waves
-// stays (y).
-const LAND_STONE_FILM = vec2f(0.06, 0.35);
+// Share of wet stone under a film of water that mirrors: stone is rough. And share of the foam on a film on sand that
+// stays on wet stone.
+const LAND_STONE_FILM = 0.06;
+const LAND_STONE_FOAMY = 0.3;
 
 // Stone of an albedo where the sea washes it: dark as high as the waves splash, and weedy as high as they cover it
 // often. The last component is the share of stone that is wet.

@@ -198,6 +198,7 @@ fn cover_stone(look: f32, place: vec2f, height: f32, run_up: f32, size: f32) -> 
   out.albedo = washed.rgb * ((1.0 - 0.6 * cracks.x) * (1.0 - 0.4 * cracks.y));
   out.relief = vec2f(0.28, 0.26) * face.zw + vec2f(0.4, 0.36) * grain.zw + vec2f(0.16, 0.2) * pits.zw;
   out.film = LAND_STONE_FILM * washed.w;
+  out.foamy = LAND_STONE_FOAMY * washed.w;
   return out;
 }
 
@@ -206,7 +207,7 @@ fn cover_blade(look: f32, along: f32) -> LandGround {
   let tone = -1.0 - look;
   let straw = saturate(1.5 * along + 1.1 * tone - 0.95);
   let green = mix(COVER_BLADE_BASE, COVER_BLADE_GREEN, saturate(2.0 * along));
-  return LandGround(mix(green, COVER_BLADE_TIP, straw), vec2f(0.0), vec2f(0.0));
+  return LandGround(mix(green, COVER_BLADE_TIP, straw), vec2f(0.0), 0.0, 0.0);
 }
 
 // The surface of what covers the ground: `look` and `along` are those of LandGBuffer.
@@ -230,6 +231,7 @@ fn cover_rubble(place: vec2f, height: f32, run_up: f32, size: f32, middle: vec4f
   out.albedo = washed.rgb;
   out.relief = vec2f(0.5 * blocks.z + 0.25 * fine.w, 0.45 * blocks.w);
   out.film = LAND_STONE_FILM * washed.w;
+  out.foamy = LAND_STONE_FOAMY * washed.w;
   return out;
 }
 

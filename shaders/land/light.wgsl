@@ -177,19 +177,22 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
   let cosine = max(to_sun, select(0.0, -COVER_BLADE_THROUGH * to_sun, shown.y < 0.0));
   var radiance = ground.albedo * (sunlight * cosine + sky_light) / ATM_PI;
   var film = ground.film;
+  var foamy = ground.foamy;
   var sheet = vec2f(0.0);
   var swept = 0.0;
-  if film.x > 0.0 || (shown.y == 0.0 && height < run_up) {
+  if film > 0.0 || (shown.y == 0.0 && height < run_up) {
     swept = swash_cover(position.xz, size);
     if swept > SWASH_SWEPT.x && shown.y == 0.0 {
       let bend = swash_tongues(place, size);
-      // Level rock keeps as little of a film as steep rock.
-      let steep_or_rock = max(length(slope), land_level_rock(around, height));
+      // Level stone keeps as little of a film as steep stone.
+      let stone = max(land_level_rock(around, height), land_built_share(map));
+      let steep_or_rock = max(length(slope), stone);
       sheet = swash_film(swept, height, run_up, bend.z + 0.5 * bend.w, steep_or_rock);
-      film = max(film, sheet.xx);
+      film = max(film, sheet.x);
+      foamy = max(foamy, sheet.x);
     }
   }
-  if film.x > 0.0 {
+  if film > 0.0 {
     // As sand under water that has no depth (shaders/water/bed.wgsl).
     let smooth_tilt = land_film_slope(place, land_to_world(slope), size);
     let v = vec3f(-dir.x, max(-dir.y, 1e-3), -dir.z);
@@ -200,12 +203,15 @@ fn light_fragment(in: LightFragment) -> @location(0) vec4f {
     let spread = material.inverse_relative_index * material.inverse_relative_index;
     // Sand that is not yet damp is no brighter under water than that of the bed.
     let wet = min(ground.albedo / (LAND_DRY * LAND_DAMP), material.bed_colour) * entering / ATM_PI;
-    radiance = mix(radiance, mirror.rgb + (1.0 - mirror.w) * spread * wet, film.x * lies);
+    let mirrored = mirror.rgb + (1.0 - mirror.w) * spread * wet;
+    let dry = radiance;
+    radiance = mix(dry, mirrored, film * lies);
     // Foam that a higher wave has left thins out on damp sand and on rock as the water does.
-    let cover = lies * max(film.y * SWASH_LEFT * swept, SWASH_LIP_COVER * sheet.y);
+    let cover = lies * max(foamy * SWASH_LEFT * swept, SWASH_LIP_COVER * sheet.y);
     let foam = swash_foam(position.xz, size, cover, dir);
-    // Wet bubbles mirror the sky as the film between them does.
-    let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + FOAM_SHORE_SHEEN * radiance;
+    // Wet bubbles mirror the sky as a film of water does, also on rough stone.
+    let sheen = FOAM_SHORE_SHEEN * mix(dry, mirrored, foamy * lies);
+    let white = (SWASH_ALBEDO / ATM_PI) * (foam.lit * sunlight + foam.open * sky_light) + sheen;
     radiance = mix(foam.beside * radiance, white, foam.opacity);
   }
   let air = air_to_point(dir, distance_m);

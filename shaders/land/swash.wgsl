@@ -5,7 +5,8 @@
 const LAND_WRACK = vec3f(0.105, 0.080, 0.050);
 const LAND_WRACK_LINES_M = vec2f(0.10, 0.42);
 
-// Share of the sand under driftweed: broken strands along two lines. `above` is the height above the run-up.
+// Share of the sand under driftweed: broken strands along two lines, which let sand through, and scraps beside them.
+// `above` is the height above the run-up.
 fn land_wrack(above: f32, middle: vec4f, fine: vec4f, size: f32) -> f32 {
   // Swash ends in curves, and each line is a few strands. A pixel averages what is narrower than it.
   let bent = above + 0.06 * middle.z + 0.016 * fine.z + 0.007 * fine.w;

@@ -220,6 +220,7 @@ const MODULES: &[(&str, &[SourcePart])] = &[
             MIRRORED_MAP,
             LAND,
             part!("land/ground.wgsl"),
+            part!("land/rock.wgsl"),
             part!("land/cover.wgsl"),
             part!("land/swash.wgsl"),
             LIT_PIXEL,

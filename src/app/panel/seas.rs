@@ -169,7 +169,7 @@ impl App {
         }
     }
 
-    /// Opens another built-in named sea, with another seed unless it is locked.
+    /// Opens another built-in named sea, with another seed unless that is locked or the sea has one of its own.
     pub(super) fn open_random_preset(&mut self) {
         let [which, seed, ..] = crate::waves::noise::pcg4d([self.params.sea.seed, self.frames as u32, 5, 3]);
         let seas = presets::built_in();
