@@ -21,7 +21,7 @@ fn land_mix(a: LandGround, b: LandGround, share: f32) -> LandGround {
 }
 
 // Share of a film of water in the look of sand that the last waves have left.
-const LAND_SHEEN = 0.65;
+const LAND_SHEEN = 0.9;
 // Side of the tile of the grain of sand, m, and the width of a pixel, m, from which it is not seen.
 const LAND_GRAIN_M = 0.83;
 const LAND_GRAIN_SEEN_M = 0.02;

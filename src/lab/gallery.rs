@@ -92,8 +92,8 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
         title: "Under water",
         description: "Four metres down, over ripples of sand with caustics: Snell's window in the waves, total \
                       reflection around it, and shafts of sunlight.",
-        state: "v=2&wind=4&fetch=25&depth=7&sun=42&sunaz=40&haze=0.3&clouds=cumulus&glints=1&gusts=1&bedcover=0.4\
-                &bloom=0.05&localexposure=0.5&dive=4&heading=30&pitch=12&fov=85&t=18",
+        state: "v=2&wind=5&fetch=25&depth=7&sun=42&sunaz=40&haze=0.3&clouds=cumulus&glints=1&gusts=1&bedcover=0\
+                &bloom=0.05&localexposure=0.5&x=-150&dive=4&z=90&heading=30&pitch=8&fov=85&t=18",
     },
     GalleryPicture {
         title: "Sea mist",
