@@ -91,15 +91,17 @@ fn land_built_share(map: vec4f) -> f32 {
   return saturate(4.0 * abs(map.w) - 1.0);
 }
 
-// Mean albedo of the ground over tens of metres, without the patterns of shaders/land/ground.wgsl. `map` is that of
-// land_at.
-fn land_mean_albedo(place: vec2f, map: vec4f) -> vec3f {
+// Mean albedo of the ground over texels of `size` metres, without the patterns of shaders/land/ground.wgsl. `map` is
+// that of land_at over these texels.
+fn land_mean_albedo(place: vec2f, map: vec4f, size: f32) -> vec3f {
   let height = map.x;
   var albedo = material.bed_colour * LAND_DRY * mix(vec3f(1.0), LAND_DAMP, land_wetness(height, 0.0, land.run_up_m));
   let back = land_back_share(place, height, 0.0);
   let green = mix(mix(LAND_MARRAM, LAND_STRAW, 0.37), 0.5 * (LAND_HEATH + LAND_TURF), back);
   albedo = mix(albedo, green, max(saturate(0.54 * (height - LAND_GRASS_M)), back));
-  let rock = maths_rise(LAND_CLIFF_LOCAL * length(map.yz), LAND_CLIFF_SLOPES);
+  // As in land_ground, a mean slope bares more rock than the slope of a single place.
+  let counted = mix(LAND_CLIFF_LOCAL, 1.0, saturate(size / LAND_AROUND_M));
+  let rock = maths_rise(counted * length(map.yz), LAND_CLIFF_SLOPES);
   albedo = mix(albedo, mix(LAND_DARK_ROCK, LAND_ROCK, 0.5), rock);
   return mix(albedo, select(LAND_CONCRETE, LAND_BLOCK, map.w < 0.0), land_built_share(map));
 }

@@ -60,11 +60,12 @@ fn land_visible_sun(place: vec2f, height: f32) -> f32 {
   return maths_smooth(0.5 + (rise - horizon.rise) * (0.5 / LAND_PENUMBRA));
 }
 
-// Radiance of the ground at a place in the frame of the coast, as seen from far away. `map` is that of land_at.
-fn land_far_radiance(place: vec2f, map: vec4f) -> vec3f {
+// Radiance of the ground at a place in the frame of the coast, as seen from far away. `map` is that of
+// land_at over texels of `size` metres.
+fn land_far_radiance(place: vec2f, map: vec4f, size: f32) -> vec3f {
   let tilt = land_to_world(map.yz);
   let up = inverseSqrt(1.0 + dot(tilt, tilt));
   let cosine = max(dot(vec3f(-tilt.x, 1.0, -tilt.y), frame.sun_direction), 0.0) * up;
   let irradiance = cloud_sun_irradiance() * cosine + (0.5 + 0.5 * up) * light.sky_irradiance;
-  return land_mean_albedo(place, map) * irradiance * (1.0 / ATM_PI);
+  return land_mean_albedo(place, map, size) * irradiance * (1.0 / ATM_PI);
 }

@@ -87,11 +87,13 @@ fn land_film_mirror(place: vec2f, height: f32, v: vec3f, slope: vec2f, sun: vec3
   let over_level = inverseSqrt(max(dot(across, across), 1e-8));
   let toward = -over_level * land_from_world(across);
   let near = land_at(place + LAND_FILM_REACH_M.x * toward, land_lod(0.3 * LAND_FILM_REACH_M.x));
-  let far = land_at(place + LAND_FILM_REACH_M.y * toward, land_lod(0.3 * LAND_FILM_REACH_M.y));
+  let far_at = place + LAND_FILM_REACH_M.y * toward;
+  let far_size = 0.3 * LAND_FILM_REACH_M.y;
+  let far = land_at(far_at, land_lod(far_size));
   let rise = (vec2f(near.x, far.x) - height) / LAND_FILM_REACH_M;
   let sky_rise = (twice - square * v.y) * over_level;
   let hidden = maths_smooth(0.5 + (max(rise.x, rise.y) - sky_rise) * (0.5 / LAND_FILM_BLEND));
-  radiance = mix(radiance, reflectance * land_far_radiance(place + LAND_FILM_REACH_M.y * toward, far), hidden);
+  radiance = mix(radiance, reflectance * land_far_radiance(far_at, far, far_size), hidden);
   let between = frame.sun_direction + v;
   if frame.sun_direction.y > 0.0 && between.y > 0.01 {
     let off = -between.xz / between.y - slope;

@@ -25,7 +25,8 @@ fn land_mirrored(mirror: WaterMirror, place: vec2f, height: f32, rays: WaterMirr
     let below = maths_normal_cdf(low);
     let met = (maths_normal_cdf(low + horizon.rise * sharp) - below) / (1.0 - below);
     let at = place + toward * horizon.far_m;
-    let radiance = land_far_radiance(at, land_at(at, land_lod(0.25 * horizon.far_m)));
+    let size = 0.25 * horizon.far_m;
+    let radiance = land_far_radiance(at, land_at(at, land_lod(size)), size);
     out.radiance = mix(mirror.radiance, (mirror.reflectance * material.sky_reflection) * radiance, met);
   }
   return out;
