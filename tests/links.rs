@@ -1,6 +1,5 @@
 //! Links keep their meaning: each link in tests/links.txt opens a sea of the recorded significant wave height.
 
-use seastate::coast::PlacedCoast;
 use seastate::lab::gallery::GALLERY_PICTURES;
 use seastate::state::start::START;
 use seastate::state::{presets, query};
@@ -49,23 +48,6 @@ fn what_the_program_and_its_pages_link_to_is_among_them() {
         std::iter::once(START.to_owned()).chain(gallery).chain(built_in).chain(pages.into_iter().flat_map(quoted));
     let missing: Vec<String> = all.filter(|state| !known.contains(&query::parse(&as_link(state)).0)).collect();
     assert_eq!(missing, Vec::<String>::new(), "tests/links.txt lacks these");
-}
-
-/// A yacht draws about 2 m. The picture of a sea does not show whether its water is as deep.
-#[test]
-fn what_floats_in_a_named_sea_is_not_aground() {
-    const LEAST_DEPTH_M: f64 = 2.5;
-    let mut afloat = 0;
-    for sea in presets::built_in() {
-        let params = query::parse(&as_link(&sea.state)).0;
-        let Some(coast) = PlacedCoast::of_state(&params.coast, None).expect("a built-in coast") else { continue };
-        for object in &params.floating_objects {
-            let depth_m = coast.depth_at_m([object.x_m, object.z_m]);
-            assert!(depth_m > LEAST_DEPTH_M, "{}: {object:?} in {depth_m:.1} m of water", sea.name);
-            afloat += 1;
-        }
-    }
-    assert!(afloat >= 4, "{afloat} objects are afloat");
 }
 
 /// State strings in a document: quoted words with a known key that are read without a notice.

@@ -81,15 +81,15 @@ fn land_cliff_share(place: vec2f, height: f32, size: f32) -> f32 {
   return land_foot_share(land_at(place, land_lod(max(LAND_AROUND_M, 2.0 * size))), height);
 }
 
-// Mean slopes of the ground around between which rock lies bare also where it is level, and the part of the slope of the
-// land itself that counts as much.
-const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
-const LAND_CLIFF_LOCAL = 0.6;
-
 // Share of blocks or concrete in the ground. `map` is that of land_at.
 fn land_built_share(map: vec4f) -> f32 {
   return saturate(4.0 * abs(map.w) - 1.0);
 }
+
+// Mean slopes of the ground around between which rock lies bare also where it is level, and the part of the slope of
+// the land itself that counts as much.
+const LAND_CLIFF_SLOPES = vec2f(0.22, 0.32);
+const LAND_CLIFF_LOCAL = 0.6;
 
 // Mean albedo of the ground over texels of `size` metres, without the patterns of shaders/land/ground.wgsl. `map` is
 // that of land_at over these texels.
@@ -114,8 +114,8 @@ const LAND_TIDE_M = vec2f(1.1, 0.6);
 // Fraction of its albedo that wet stone keeps.
 const LAND_WET_STONE = 0.52;
 
-// Share of wet stone under a film of water that mirrors: stone is rough. And share of the foam on a film on sand that
-// stays on wet stone.
+// Share of wet stone under a film of water that mirrors: stone is rough, so it is small. And the share of the foam of
+// the last waves that stays on wet stone.
 const LAND_STONE_FILM = 0.06;
 const LAND_STONE_FOAMY = 0.3;
 

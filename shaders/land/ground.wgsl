@@ -9,8 +9,9 @@ struct LandGround {
   albedo: vec3f,
   // Slope of the fine relief, to be added to that of the land, in the frame of the coast.
   relief: vec2f,
-  // Share of the pixel under a film of water that mirrors, and of the foam on a film of water that stays here, 0 to 1.
+  // Share of the pixel under a film of water that mirrors, 0 to 1.
   film: f32,
+  // Share of the foam of the last waves that stays here, 0 to 1: a film of water on sand keeps all of it.
   foamy: f32,
 }
 
@@ -125,7 +126,8 @@ fn land_plants(
   return out;
 }
 
-// How much less slope of the ground around bares rock below LAND_FOOT_M: the foot of a cliff is a platform of rock.
+// By how much the slope of the ground around that bares rock is smaller below LAND_FOOT_M: the foot of a cliff is a
+// platform of rock.
 const LAND_FOOT_SLOPE = 0.06;
 
 // The ground at a place in the frame of the coast. `map` is that of land_at, `slope` the slope of the land there,

@@ -1,6 +1,7 @@
 //! Tests of built-in presets, preset files, and the parameters that a preset sets or keeps.
 
 use super::*;
+use crate::coast::PlacedCoast;
 use crate::files::bathymetry::{BathymetryFile, ElevationGrid};
 use crate::files::measured::MeasuredSpectrum;
 use crate::state::coast::{Coast, CoastFile, CoastName};
@@ -104,6 +105,23 @@ fn the_built_in_seas_are_what_they_say() {
         assert!(texts.iter().all(|t| t.len() > 20 && t.ends_with('.')), "{name}");
         assert!(preset.about.contains("Hs ") && preset.about.contains("Tp "), "{name}");
     }
+}
+
+/// A yacht draws about 2 m. The picture of a sea does not show whether its water is as deep.
+#[test]
+fn what_floats_in_a_built_in_sea_is_not_aground() {
+    const LEAST_DEPTH_M: f64 = 2.5;
+    let mut afloat = 0;
+    for sea in built_in() {
+        let (params, _) = sea.apply(&Params::default());
+        let Some(coast) = PlacedCoast::of_state(&params.coast, None).expect("a built-in coast") else { continue };
+        for object in &params.floating_objects {
+            let depth_m = coast.depth_at_m([object.x_m, object.z_m]);
+            assert!(depth_m > LEAST_DEPTH_M, "{}: {object:?} in {depth_m:.1} m of water", sea.name);
+            afloat += 1;
+        }
+    }
+    assert!(afloat >= 4, "{afloat} objects are afloat");
 }
 
 #[test]
