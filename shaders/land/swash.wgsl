@@ -36,11 +36,12 @@ fn land_swash_marks(height: f32, run_up: f32, middle: vec4f, fine: vec4f, size: 
   return dot(lines, saturate(vec2f(0.35) + vec2f(0.5, -0.45) * middle.wz + 0.3 * fine.w));
 }
 
-// Softness of the edges of the film of foam (x), deviations of its pattern, and of the body that lies on its thickest
-// parts (y), how much more the pattern must rise for the body, and the opacity of both.
-const SWASH_SOFTNESS = vec2f(0.22, 0.14);
-const SWASH_SHIFT = vec2f(0.15, -0.35);
-const SWASH_OPACITY = vec2f(0.04, 0.86);
+// Softness of the edges of the film of foam and of the core of its body (x), and of the body, which lies on the thickest
+// parts of the film (y), deviations of the pattern; by how much film and body reach beyond the area that the foam covers,
+// deviations; and the opacity of both.
+const SWASH_SOFTNESS = vec2f(0.4, 0.14);
+const SWASH_SHIFT = vec2f(0.35, -0.36);
+const SWASH_OPACITY = vec2f(0.12, 0.80);
 // Weights of patches of metres, strands of decimetres and threads of centimetres in the pattern. Their squares add up
 // to 1.
 const SWASH_WEIGHTS = vec3f(0.5, 0.77, 0.396);
@@ -120,11 +121,14 @@ struct SwashFoam {
 // Film (x) and body (y) of foam where its pattern has the value `z`.
 fn swash_layers(z: f32, edge: f32, unresolved: f32) -> vec2f {
   let square = SWASH_SOFTNESS * SWASH_SOFTNESS;
-  let at = (vec2f(z) + sqrt(1.0 + square) * (edge + SWASH_SHIFT)) * inverseSqrt(square + unresolved);
-  return vec2f(maths_normal_cdf(at.x), maths_normal_cdf(at.y));
+  let edges = sqrt(1.0 + square) * (edge + SWASH_SHIFT);
+  let above = vec3f(z) + vec3f(edges, edges.y - FOAM_CORE_SHIFT);
+  let at = above * inverseSqrt(square.xyx + unresolved);
+  let body = vec2f(maths_normal_cdf(at.y), maths_normal_cdf(at.z));
+  return vec2f(maths_normal_cdf(at.x), dot(FOAM_BODY_CORE, body));
 }
 
-// The foam on a film of water: the pattern of old foam on the water beside it (shaders/water/foam_pattern.wgsl), with
+// The foam on a film of water: the pattern of new foam on the water beside it (shaders/water/foam_pattern.wgsl), with
 // fewer layers. `cover` is the part of the ground that it covers, `dir` the direction from the eye.
 fn swash_foam(at: vec2f, size: f32, cover: f32, dir: vec3f) -> SwashFoam {
   let l = frame.sun_direction;
@@ -133,10 +137,11 @@ fn swash_foam(at: vec2f, size: f32, cover: f32, dir: vec3f) -> SwashFoam {
     return out;
   }
   let lods = vec3f(
-    material_lod(FOAM_PATCH_LAYER, size), material_lod(FOAM_STRAND_LAYER, size), material_lod(FOAM_THREAD_LAYER, size));
+    material_lod(FOAM_BILLOW_LAYER, size), material_lod(FOAM_TUMBLE_LAYER, size),
+    material_lod(FOAM_THREAD_LAYER, size));
   let kept = material_variance_left(lods.xxyz).yzw;
-  let patches = material_noise(FOAM_PATCH_LAYER, at, lods.x).r;
-  let strands = material_noise(FOAM_STRAND_LAYER, at, lods.y).ra;
+  let patches = material_noise(FOAM_BILLOW_LAYER, at, lods.x).r;
+  let strands = material_noise(FOAM_TUMBLE_LAYER, at, lods.y).ra;
   var threads = vec2f(0.5);
   if kept.z > 0.02 {
     threads = material_noise(FOAM_THREAD_LAYER, at, lods.z).ra;
@@ -149,7 +154,7 @@ fn swash_foam(at: vec2f, size: f32, cover: f32, dir: vec3f) -> SwashFoam {
   // Slope and shadow of the body follow from the difference between the pattern here and at a step towards the sun.
   let across = max(length(l.xz), 1e-3);
   let step_m = max(SWASH_STEP_M, size);
-  let ahead = material_noise(FOAM_STRAND_LAYER, at + (step_m / across) * l.xz, lods.y).ra;
+  let ahead = material_noise(FOAM_TUMBLE_LAYER, at + (step_m / across) * l.xz, lods.y).ra;
   let before = swash_layers(z + FOAM_PER_DEVIATION.z * SWASH_WEIGHTS.y * (ahead.x - strands.x), edge, unresolved).y;
   let lumps = FOAM_PER_DEVIATION.z * (ahead.y - strands.y);
   let rise = (SWASH_BODY_M / step_m) * (before - layers.y + 0.25 * layers.y * lumps);

@@ -51,14 +51,14 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
   let ahead = foam_strands(pattern, place.at + steps.y * sun, lods);
   noise.z = ahead.x;
   let body = foam_film_and_body(pattern, dot(noise, pattern.factors)).y;
-  let thick_m = mix(FOAM_BODY_HEIGHT_M.x, FOAM_BODY_HEIGHT_M.y, pattern.turn.y);
+  let thick_m = mix(FOAM_BODY_HEIGHT_M.x, FOAM_BODY_HEIGHT_M.y, pattern.billows);
   var rise = (6.08 * FOAM_LUMP_HEIGHT_M.y * (ahead.y - place.heights.y) + thick_m * (body - place.body)) / steps.y;
   var lit = 1.0;
-  if pattern.turn.y > FOAM_MIN_BILLOWING {
-    let height_m = 6.08 * FOAM_LUMP_HEIGHT_M.x * pattern.turn.y;
-    let near = material_noise(FOAM_BILLOW_LAYER, place.at + steps.x * sun, lods.front.x).a - 0.5 - place.heights.x;
+  if pattern.billows > FOAM_LEAST_SHARE {
+    let height_m = 6.08 * FOAM_LUMP_HEIGHT_M.x * pattern.billows;
+    let near = material_noise(FOAM_BILLOW_LAYER, place.at + steps.x * sun, lods.round.x).a - 0.5 - place.heights.x;
     rise += height_m * near / steps.x;
-    let far = material_noise(FOAM_BILLOW_LAYER, place.at + FOAM_SHADOW_STEP_M * sun, lods.front.x).a - 0.5;
+    let far = material_noise(FOAM_BILLOW_LAYER, place.at + FOAM_SHADOW_STEP_M * sun, lods.round.x).a - 0.5;
     let ray_m = FOAM_SHADOW_STEP_M * frame.sun_direction.y * inverseSqrt(flat_square);
     let over = height_m * (far - place.heights.x) - ray_m;
     lit = 1.0 - FOAM_SHADOW * maths_smooth(0.5 + over * (0.3 / FOAM_LUMP_HEIGHT_M.x));
@@ -87,11 +87,12 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   // they would flicker.
   let sharper = FOAM_FRONT_SHARPER * amount.fresh * saturate(1.3 - pixel.length_m);
   lods.layers -= vec4f(sharper);
-  lods.front -= sharper;
+  lods.round -= sharper;
   var kept = material_variance_left(lods.layers);
-  if amount.fresh > 0.0 {
-    let of_front = MATERIAL_VARIANCE_STEEPNESS.yz * (lods.front - MATERIAL_HALF_VARIANCE_LOD.yz);
-    kept = vec4f(kept.x, mix(kept.yz, 1.0 / (1.0 + exp2(of_front)), amount.fresh), kept.w);
+  let round = foam_round_share(amount);
+  if round > 0.0 {
+    let of_round = MATERIAL_VARIANCE_STEEPNESS.yz * (lods.round - MATERIAL_HALF_VARIANCE_LOD.yz);
+    kept = vec4f(kept.x, mix(kept.yz, 1.0 / (1.0 + exp2(of_round)), round), kept.w);
   }
   // Where the pixel resolves neither patches nor strands, all samples are alike.
   let is_resolved = kept.y + kept.z >= FOAM_MIN_RESOLVED;
@@ -116,25 +117,21 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   for (var i = 0; i < select(1, 2, has_halves); i++) {
     place.at += (2.0 * f32(i)) * step;
     if is_resolved {
-      let patches = material_noise(FOAM_PATCH_LAYER, place.at, lods.layers.y).r - 0.5;
+      let patches = foam_patches(pattern, place.at, lods);
       let strands = foam_strands(pattern, place.at, lods);
-      if pattern.turn.y > FOAM_MIN_BILLOWING {
-        place.heights.x = material_noise(FOAM_BILLOW_LAYER, place.at, lods.front.x).a - 0.5;
-      }
-      place.heights.y = strands.y;
-      place.noise.y = dot(pattern.turn, vec2f(patches, place.heights.x));
-      place.noise.z = strands.x;
+      place.noise = vec4f(place.noise.x, patches.x, strands.x, place.noise.w);
+      place.heights = vec3f(patches.y, strands.y, place.heights.z);
     }
     let thickness = foam_film_and_body(pattern, dot(place.noise, pattern.factors));
     place.body = thickness.y;
     out.cover += share * dot(pattern.opacity, thickness);
     out.film += share * pattern.opacity.x * thickness.x;
-    out.grain += share * (place.heights.y + FOAM_BILLOW_GRAIN * pattern.turn.y * place.heights.x);
+    out.grain += share * (place.heights.y + FOAM_BILLOW_GRAIN * pattern.billows * place.heights.x);
   }
   out.film *= (1.0 - amount.fresh) / max(out.cover, 1e-4);
   // Billows are higher where foam covers; the grain is relative to their mean there.
   out.grain = 0.5 + 1.3 * (out.grain - FOAM_BILLOW_GRAIN * pattern.usual) + 0.7 * place.heights.z;
-  out.grain -= foam_grain_skew(kept.yz, pattern.turn.y);
+  out.grain -= foam_grain_skew(kept.yz, pattern.billows);
   let aged = mix(FOAM_AGED_RELIEF.x, FOAM_AGED_RELIEF.y, amount.young);
   let strength = material.foam_relief * mix(aged, 1.0, amount.fresh);
   let slope_sigma = FOAM_RELIEF_SLOPE_SIGMA * strength;

@@ -34,6 +34,10 @@ const FOAM_TUMBLE_LAYER = 11u;
 // Reciprocals of the standard deviations of the noise of the first four layers: that of windrows is evenly spread, the
 // others are normal.
 const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
+// Opacity of the body of foam at its edge (x), and what its core adds (y), relative to its own: the body is thinner at
+// the rims of its holes. And the deviations of the pattern by which the core begins above the edge of the body.
+const FOAM_BODY_CORE = vec2f(0.5, 0.5);
+const FOAM_CORE_SHIFT = 0.35;
 // Part of the light of the water, or of the film of water on land, that the foam on it keeps near a shore: its wet
 // bubbles mirror the sky, too.
 const FOAM_SHORE_SHEEN = 0.35;

@@ -5,7 +5,7 @@
 // soft threshold makes the film, which is thickest along its threads, and a sharper, higher one the body.
 //
 // The pattern, the opacity and the relief follow the age of the foam: the front of a breaker is a heap of billows, new
-// foam behind it a thick sheet with holes, and old foam thin threads and streaks along the wind.
+// foam behind it a thick sheet with round holes, and old foam thin threads and streaks along the wind.
 
 // Weights of the layers in the pattern of a breaker's front: windrows, billows, strands and threads. Their squares add up
 // to 1.
@@ -15,7 +15,7 @@ const FOAM_FRONT_WEIGHTS = vec4f(0.08, 0.45, 0.72, 0.52);
 const FOAM_FRONT_EDGE_WEIGHTS = vec4f(0.0, -0.24, 0.08, 0.2);
 // Factors on the weights of the layers (material.rs), which grow with the wind, in the oldest foam and in new foam.
 const FOAM_OLD_WEIGHTS = vec4f(1.3, 1.6, 0.6, 0.4);
-const FOAM_NEW_WEIGHTS = vec4f(0.5, 0.8, 1.05, 1.2);
+const FOAM_NEW_WEIGHTS = vec4f(0.5, 1.5, 1.05, 1.2);
 // Softness of the edges of film (x) and body (y), in deviations of the pattern.
 const FOAM_SOFTNESS = vec2f(0.4, 0.12);
 // Opacity of the film (x), through which water shows, and what the body adds where it lies on it (y): of the oldest
@@ -24,16 +24,16 @@ const FOAM_OLD_OPACITY = vec2f(0.11, 0.55);
 const FOAM_NEW_OPACITY = vec2f(0.16, 0.70);
 const FOAM_FRONT_OPACITY = vec2f(0.20, 0.78);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
-const FOAM_OLD_SHIFT = vec2f(0.45, -0.22);
-const FOAM_FRONT_SHIFT = vec2f(0.35, -0.45);
-// Fraction of the foam that belongs to fronts, from which billows show.
-const FOAM_MIN_BILLOWING = 0.2;
+const FOAM_OLD_SHIFT = vec2f(0.45, -0.10);
+const FOAM_FRONT_SHIFT = vec2f(0.35, -0.32);
+// Least root of a share of the pattern's variance from which its layers are read.
+const FOAM_LEAST_SHARE = 0.2;
 
 // Mip levels of the noise layers in a pixel.
 struct FoamLods {
   layers: vec4f,
-  // Mip levels of the billows and strands of a front.
-  front: vec2f,
+  // Mip levels of the layers of foam that the wind has not drawn out: billows and strands.
+  round: vec2f,
   // Size of the pixel's texels, m, if all of it is read at once.
   whole_m: f32,
 }
@@ -50,20 +50,30 @@ fn foam_lods(pixel: WaterFootprint, has_halves: bool) -> FoamLods {
     material.noise_layers[FOAM_PATCH_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_STRAND_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_THREAD_LAYER].log_texels_per_m);
-  let of_front = vec2f(
+  let of_round = vec2f(
     material.noise_layers[FOAM_BILLOW_LAYER].log_texels_per_m,
     material.noise_layers[FOAM_TUMBLE_LAYER].log_texels_per_m);
-  return FoamLods(logs.xyyz + densities, logs.y + of_front, whole_m);
+  return FoamLods(logs.xyyz + densities, logs.y + of_round, whole_m);
+}
+
+// Share of foam that the wind has not drawn out, 0 to 1: fronts, and new foam, of which a storm makes streaks at once.
+// Most foam is wholly of one kind, so that it needs the layers of that kind alone.
+fn foam_round_share(amount: FoamAmount) -> f32 {
+  let new_foam = amount.young * material.noise_layers[FOAM_BILLOW_LAYER].foam_weight;
+  return max(amount.fresh, saturate(2.0 * new_foam - 0.5));
 }
 
 // How the noise layers make the pattern of a pixel's foam.
 struct FoamPattern {
   // Factors on the noise of the four layers, less its mean.
   factors: vec4f,
-  // Shares of the patches and strands of old foam (x), and of the billows and strands of a front (y): roots of the
-  // shares of their variance.
-  turn: vec2f,
-  // Edges of film (x) and body (y), in deviations of the pattern, and their sharpness.
+  // Roots of the shares of the variance of patches and strands that come from each kind of foam: old foam, which the wind
+  // has drawn out; all other foam, which it has not; and of that, new foam and fronts.
+  drawn_out: f32,
+  round: f32,
+  lace: f32,
+  billows: f32,
+  // Edges of film (x) and body (y), in deviations of the pattern, and their sharpness. The core is as soft as the film.
   edge: vec2f,
   sharp: vec2f,
   // Opacity of the film, and what the body adds.
@@ -86,8 +96,13 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
   let unresolved = 1.0 - dot(weights * weights, kept);
   var out: FoamPattern;
   out.factors = weights * FOAM_PER_DEVIATION;
-  // Old foam and fronts have layers that are independent, so that their sum keeps its variance.
-  out.turn = sqrt(vec2f(1.0 - fresh, fresh));
+  // Old foam and other foam have layers that are independent, so that their sum keeps its variance.
+  let round = foam_round_share(amount);
+  let roots = sqrt(vec4f(1.0 - round, round, round - fresh, fresh));
+  out.drawn_out = roots.x;
+  out.round = roots.y;
+  out.lace = roots.z;
+  out.billows = roots.w;
   let quantile = maths_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
   let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
   let square = FOAM_SOFTNESS * FOAM_SOFTNESS;
@@ -95,21 +110,39 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
   out.sharp = inverseSqrt(square + unresolved);
   out.opacity = mix(mix(FOAM_OLD_OPACITY, FOAM_NEW_OPACITY, amount.young), FOAM_FRONT_OPACITY, fresh);
   let covered = exp(-0.5 * quantile * quantile) * (0.4 / 6.08) / max(amount.cover, 1e-4);
-  out.usual = out.turn.y * weights.y * kept.y * covered;
+  out.usual = out.billows * weights.y * kept.y * covered;
   return out;
 }
 
 // Strands (x) and lumps (y) at a place, less their means.
 fn foam_strands(pattern: FoamPattern, at: vec2f, lods: FoamLods) -> vec2f {
-  let old = material_noise(FOAM_STRAND_LAYER, at, lods.layers.z).ra - 0.5;
-  if pattern.turn.y <= FOAM_MIN_BILLOWING {
-    return old;
+  var out = vec2f(0.0);
+  if pattern.drawn_out > FOAM_LEAST_SHARE {
+    out = pattern.drawn_out * (material_noise(FOAM_STRAND_LAYER, at, lods.layers.z).ra - 0.5);
   }
-  return pattern.turn.x * old + pattern.turn.y * (material_noise(FOAM_TUMBLE_LAYER, at, lods.front.y).ra - 0.5);
+  if pattern.round > FOAM_LEAST_SHARE {
+    out += pattern.round * (material_noise(FOAM_TUMBLE_LAYER, at, lods.round.y).ra - 0.5);
+  }
+  return out;
+}
+
+// Patches (x) and the height of billows (y) at a place, less their means.
+fn foam_patches(pattern: FoamPattern, at: vec2f, lods: FoamLods) -> vec2f {
+  var out = vec2f(0.0);
+  if pattern.drawn_out > FOAM_LEAST_SHARE {
+    out.x = pattern.drawn_out * (material_noise(FOAM_PATCH_LAYER, at, lods.layers.y).r - 0.5);
+  }
+  if pattern.round > FOAM_LEAST_SHARE {
+    let billows = material_noise(FOAM_BILLOW_LAYER, at, lods.round.x).ra - 0.5;
+    out += vec2f(dot(vec2f(pattern.lace, pattern.billows), billows), billows.y);
+  }
+  return out;
 }
 
 // Opacity of film (x) and body (y) where the pattern has the value `z`.
 fn foam_film_and_body(pattern: FoamPattern, z: f32) -> vec2f {
-  let film = maths_normal_cdf((z + pattern.edge.x) * pattern.sharp.x);
-  return vec2f(film, maths_normal_cdf((z + pattern.edge.y) * pattern.sharp.y));
+  let above = vec3f(z) + vec3f(pattern.edge, pattern.edge.y - FOAM_CORE_SHIFT);
+  let at = above * pattern.sharp.xyx;
+  let body = vec2f(maths_normal_cdf(at.y), maths_normal_cdf(at.z));
+  return vec2f(maths_normal_cdf(at.x), dot(FOAM_BODY_CORE, body));
 }

@@ -108,12 +108,13 @@ fn lean_foam_level(at: vec2f, foot: LeanFootprint) -> FoamAmount {
   return foam_amount(foam_cell(level, at), frame.foam_levels[level].front_fill, 0.0);
 }
 
-// Appearance of foam in a pixel (as foam_appearance), without threads, and with one edge for film and body. Where most
-// of the foam belongs to a front, its billows and strands take the place of those of old foam.
+// Appearance of foam in a pixel (as foam_appearance), without threads, and with one edge for film and body, and with the
+// layers of noise of what most of the foam is: old foam, which the wind has drawn out, or other foam.
 fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearance {
   let is_front = amount.fresh > 0.5;
-  let wide = select(FOAM_PATCH_LAYER, FOAM_BILLOW_LAYER, is_front);
-  let narrow = select(FOAM_STRAND_LAYER, FOAM_TUMBLE_LAYER, is_front);
+  let is_round = foam_round_share(amount) > 0.5;
+  let wide = select(FOAM_PATCH_LAYER, FOAM_BILLOW_LAYER, is_round);
+  let narrow = select(FOAM_STRAND_LAYER, FOAM_TUMBLE_LAYER, is_round);
   let lods = foot.log_texel_m + vec3f(
     material.noise_layers[FOAM_WINDROW_LAYER].log_texels_per_m, material.noise_layers[wide].log_texels_per_m,
     material.noise_layers[narrow].log_texels_per_m);

@@ -23,7 +23,8 @@ struct LayerShape {
     turn_deg: f64,
     /// Relative lengthening of the tile along the axis in a storm.
     longer: f64,
-    /// Weight of the layer in the pattern of old foam, and what a storm adds.
+    /// Weight of the layer in the pattern of old foam, and what a storm adds; of the billows, share of new foam that has
+    /// their pattern.
     weight: f64,
     gale_weight: f64,
     /// Speed along the wind, relative to the wind's speed at 10 m.
@@ -51,8 +52,8 @@ impl LayerShape {
 /// it lies on, gusts are carried by the air, and slicks by the surface current.
 const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::foam([910.0, 190.0, 0.0, 3.5], [0.36, 0.5]),
-    LayerShape::foam([113.0, 37.0, 4.0, 1.2], [0.64, 0.0]),
-    LayerShape::foam([13.1, 7.3, -5.0, 1.0], [1.26, -0.2]),
+    LayerShape::foam([53.0, 37.0, 4.0, 3.7], [0.64, 0.0]),
+    LayerShape::foam([9.1, 7.3, -5.0, 1.9], [1.26, -0.2]),
     LayerShape::foam([1.63, 1.63, 41.0, 0.0], [0.45, 0.0]),
     // The smallest tile of the bed holds 38 ripples. Their crests lie across the waves, which follow the wind.
     LayerShape::bed(1130.0, 63.0),
@@ -61,7 +62,7 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::bed(15.1, -14.0),
     LayerShape::roughness([910.0, 620.0, 4.0, 0.5], 0.7),
     LayerShape::roughness([260.0, 149.0, -7.0, 2.0], 0.03),
-    LayerShape::foam([37.0, 31.0, 17.0, 0.3], [0.0; 2]),
+    LayerShape::foam([37.0, 31.0, 17.0, 0.3], [1.0, -1.0]),
     // The wind has not drawn them out yet: stretched strands would hang down a front like combed wool.
     LayerShape::foam([8.3, 10.7, 23.0, 0.0], [0.0; 2]),
 ];
@@ -98,7 +99,7 @@ gpu_struct! {
         /// Binary logarithm of the number of texels of the noise texture per metre: the geometric mean of both axes, or
         /// nearly that of the denser one where the tile is long.
         log_texels_per_m: f32,
-        /// Weight of the layer in the pattern of old foam.
+        /// Weight of the layer in the pattern of old foam; of the billows, share of new foam that has their pattern.
         foam_weight: f32,
     }
 }
