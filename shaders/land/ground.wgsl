@@ -21,8 +21,10 @@ fn land_mix(a: LandGround, b: LandGround, share: f32) -> LandGround {
   return LandGround(mix(a.albedo, b.albedo, share), mix(a.relief, b.relief, share), wet.x, wet.y);
 }
 
-// Share of a film of water in the look of sand that the last waves have left.
+// Share of a film of water in the look of sand that the last waves have left, and shares of such sand in a pixel between
+// which it begins to shine: the edge of a wave that ran up is a line of lobes, not a haze.
 const LAND_SHEEN = 0.9;
+const LAND_SHEEN_WETNESS = vec2f(0.6, 0.95);
 // Side of the tile of the grain of sand, m, and the width of a pixel, m, from which it is not seen.
 const LAND_GRAIN_M = 0.83;
 const LAND_GRAIN_SEEN_M = 0.02;
@@ -84,7 +86,7 @@ fn land_sand(
     out.relief += (trodden / step_m) * dot(LAND_TRODDEN_M, sunward.zw - fine.zw) * land.toward_sun;
   }
   // Sand that is full of water shines, too.
-  out.film = max(film, LAND_SHEEN * fresh * fresh);
+  out.film = max(film, LAND_SHEEN * maths_rise(fresh, LAND_SHEEN_WETNESS));
   out.foamy = out.film;
   return out;
 }

@@ -36,9 +36,8 @@ fn land_swash_marks(height: f32, run_up: f32, middle: vec4f, fine: vec4f, size: 
   return dot(lines, saturate(vec2f(0.35) + vec2f(0.5, -0.45) * middle.wz + 0.3 * fine.w));
 }
 
-// Softness of the edges of the film of foam and of the core of its body (x), and of the body, which lies on the thickest
-// parts of the film (y), deviations of the pattern; by how much film and body reach beyond the area that the foam covers,
-// deviations; and the opacity of both.
+// Film (x) and body (y) of foam on sand, as in shaders/water/foam_pattern.wgsl: softness of their edges, deviations of the
+// pattern; deviations by which they reach beyond the area that the foam covers; and their opacity.
 const SWASH_SOFTNESS = vec2f(0.4, 0.14);
 const SWASH_SHIFT = vec2f(0.35, -0.36);
 const SWASH_OPACITY = vec2f(0.12, 0.80);
@@ -118,18 +117,7 @@ struct SwashFoam {
   beside: f32,
 }
 
-// Film (x) and body (y) of foam where its pattern has the value `z`.
-fn swash_layers(z: f32, edge: f32, unresolved: f32) -> vec2f {
-  let square = SWASH_SOFTNESS * SWASH_SOFTNESS;
-  let edges = sqrt(1.0 + square) * (edge + SWASH_SHIFT);
-  let above = vec3f(z) + vec3f(edges, edges.y - FOAM_CORE_SHIFT);
-  let at = above * inverseSqrt(square.xyx + unresolved);
-  let body = vec2f(maths_normal_cdf(at.y), maths_normal_cdf(at.z));
-  return vec2f(maths_normal_cdf(at.x), dot(FOAM_BODY_CORE, body));
-}
-
-// The foam on a film of water: the pattern of new foam on the water beside it (shaders/water/foam_pattern.wgsl), with
-// fewer layers. `cover` is the part of the ground that it covers, `dir` the direction from the eye.
+// The foam on a film of water: the pattern of new foam on the water in light wind, with fewer layers. `cover` is the part of the ground that it covers, `dir` the direction from the eye.
 fn swash_foam(at: vec2f, size: f32, cover: f32, dir: vec3f) -> SwashFoam {
   let l = frame.sun_direction;
   var out = SwashFoam(0.0, max(l.y, 0.0), 1.0, 1.0);
@@ -149,21 +137,24 @@ fn swash_foam(at: vec2f, size: f32, cover: f32, dir: vec3f) -> SwashFoam {
   let z = FOAM_PER_DEVIATION.z * dot(SWASH_WEIGHTS, vec3f(patches, strands.x, threads.x) - 0.5);
   let edge = maths_normal_quantile(clamp(cover, 1e-4, 1.0 - 1e-4));
   let unresolved = 1.0 - dot(SWASH_WEIGHTS * SWASH_WEIGHTS, kept);
-  let layers = swash_layers(z, edge, unresolved);
-  out.opacity = dot(SWASH_OPACITY, layers);
+  let square = SWASH_SOFTNESS * SWASH_SOFTNESS;
+  let edges = sqrt(1.0 + square) * (edge + SWASH_SHIFT);
+  let sharp = inverseSqrt(square + unresolved);
+  let body = foam_body(z, edges, sharp);
+  out.opacity = dot(SWASH_OPACITY, vec2f(foam_film(z, edges, sharp), body));
   // Slope and shadow of the body follow from the difference between the pattern here and at a step towards the sun.
   let across = max(length(l.xz), 1e-3);
   let step_m = max(SWASH_STEP_M, size);
   let ahead = material_noise(FOAM_TUMBLE_LAYER, at + (step_m / across) * l.xz, lods.y).ra;
-  let before = swash_layers(z + FOAM_PER_DEVIATION.z * SWASH_WEIGHTS.y * (ahead.x - strands.x), edge, unresolved).y;
+  let before = foam_body(z + FOAM_PER_DEVIATION.z * SWASH_WEIGHTS.y * (ahead.x - strands.x), edges, sharp);
   let lumps = FOAM_PER_DEVIATION.z * (ahead.y - strands.y);
-  let rise = (SWASH_BODY_M / step_m) * (before - layers.y + 0.25 * layers.y * lumps);
+  let rise = (SWASH_BODY_M / step_m) * (before - body + 0.25 * body * lumps);
   let cosine = max(l.y - across * rise, 0.0) * inverseSqrt(1.0 + rise * rise);
-  let grain = layers.y * FOAM_PER_DEVIATION.z * (strands.y + 0.6 * threads.y - 0.8);
+  let grain = body * FOAM_PER_DEVIATION.z * (strands.y + 0.6 * threads.y - 0.8);
   let behind = max(dot(dir, l), 0.0);
   let glow = SWASH_GLOW * behind * behind * saturate(8.0 * l.y);
   out.lit = mix(out.lit, cosine, SWASH_FACING) * exp2(SWASH_LUMPS * grain) + glow;
   out.open = exp2(0.5 * SWASH_LUMPS * grain);
-  out.beside = 1.0 - SWASH_SHADOW * saturate(before - layers.y);
+  out.beside = 1.0 - SWASH_SHADOW * saturate(before - body);
   return out;
 }

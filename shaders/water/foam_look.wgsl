@@ -50,11 +50,11 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
   var noise = place.noise;
   let ahead = foam_strands(pattern, place.at + steps.y * sun, lods);
   noise.z = ahead.x;
-  let body = foam_film_and_body(pattern, dot(noise, pattern.factors)).y;
+  let body = foam_body(dot(noise, pattern.factors), pattern.edge, pattern.sharp);
   let thick_m = mix(FOAM_BODY_HEIGHT_M.x, FOAM_BODY_HEIGHT_M.y, pattern.billows);
   var rise = (6.08 * FOAM_LUMP_HEIGHT_M.y * (ahead.y - place.heights.y) + thick_m * (body - place.body)) / steps.y;
   var lit = 1.0;
-  if pattern.billows > FOAM_LEAST_SHARE {
+  if pattern.billows > 0.0 {
     let height_m = 6.08 * FOAM_LUMP_HEIGHT_M.x * pattern.billows;
     let near = material_noise(FOAM_BILLOW_LAYER, place.at + steps.x * sun, lods.round.x).a - 0.5 - place.heights.x;
     rise += height_m * near / steps.x;
@@ -73,10 +73,10 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
 
 // Correction of the grain of foam: the light of foam grows exponentially with its grain, so without this correction
 // uneven foam would be brighter on average than even foam.
-// `kept` are the resolved fractions of the variance of billows (x) and lumps (y), `turn` is the share of billows.
-fn foam_grain_skew(kept: vec2f, turn: f32) -> f32 {
-  let billows = FOAM_BILLOW_GRAIN * turn;
-  return FOAM_GRAIN_SKEW * (kept.y + billows * billows * kept.x);
+// `kept` are the resolved fractions of the variance of billows (x) and lumps (y), `billows` is the root of the share of fronts.
+fn foam_grain_skew(kept: vec2f, billows: f32) -> f32 {
+  let grain = FOAM_BILLOW_GRAIN * billows;
+  return FOAM_GRAIN_SKEW * (kept.y + grain * grain * kept.x);
 }
 
 // Appearance of foam in a pixel.
@@ -89,16 +89,16 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
   lods.layers -= vec4f(sharper);
   lods.round -= sharper;
   var kept = material_variance_left(lods.layers);
-  let round = foam_round_share(amount);
-  if round > 0.0 {
+  let shares = foam_round_shares(amount);
+  if shares.x > 0.0 {
     let of_round = MATERIAL_VARIANCE_STEEPNESS.yz * (lods.round - MATERIAL_HALF_VARIANCE_LOD.yz);
-    kept = vec4f(kept.x, mix(kept.yz, 1.0 / (1.0 + exp2(of_round)), round), kept.w);
+    kept = vec4f(kept.x, mix(kept.yz, 1.0 / (1.0 + exp2(of_round)), shares.x), kept.w);
   }
   // Where the pixel resolves neither patches nor strands, all samples are alike.
   let is_resolved = kept.y + kept.z >= FOAM_MIN_RESOLVED;
   let has_halves = has_detail && is_resolved;
   let sees_bubbles = kept.w > FOAM_MIN_LAYER_VARIANCE;
-  let pattern = foam_pattern(amount, kept);
+  let pattern = foam_pattern(amount, shares, kept);
   var place: FoamPlace;
   if kept.x > FOAM_MIN_LAYER_VARIANCE {
     place.noise.x = material_noise(FOAM_WINDROW_LAYER, at, lods.layers.x).b - 0.5;
@@ -122,15 +122,16 @@ fn foam_appearance(at: vec2f, pixel: WaterFootprint, amount: FoamAmount) -> Foam
       place.noise = vec4f(place.noise.x, patches.x, strands.x, place.noise.w);
       place.heights = vec3f(patches.y, strands.y, place.heights.z);
     }
-    let thickness = foam_film_and_body(pattern, dot(place.noise, pattern.factors));
-    place.body = thickness.y;
-    out.cover += share * dot(pattern.opacity, thickness);
-    out.film += share * pattern.opacity.x * thickness.x;
+    let z = dot(place.noise, pattern.factors);
+    let film = pattern.opacity.x * foam_film(z, pattern.edge, pattern.sharp);
+    place.body = foam_body(z, pattern.edge, pattern.sharp);
+    out.cover += share * (film + pattern.opacity.y * place.body);
+    out.film += share * film;
     out.grain += share * (place.heights.y + FOAM_BILLOW_GRAIN * pattern.billows * place.heights.x);
   }
   out.film *= (1.0 - amount.fresh) / max(out.cover, 1e-4);
   // Billows are higher where foam covers; the grain is relative to their mean there.
-  out.grain = 0.5 + 1.3 * (out.grain - FOAM_BILLOW_GRAIN * pattern.usual) + 0.7 * place.heights.z;
+  out.grain = 0.5 + 1.3 * (out.grain - FOAM_BILLOW_GRAIN * pattern.billows * pattern.usual) + 0.7 * place.heights.z;
   out.grain -= foam_grain_skew(kept.yz, pattern.billows);
   let aged = mix(FOAM_AGED_RELIEF.x, FOAM_AGED_RELIEF.y, amount.young);
   let strength = material.foam_relief * mix(aged, 1.0, amount.fresh);

@@ -23,8 +23,9 @@ fn foam_cell(level: u32, at: vec2f) -> vec4f {
 }
 
 // Noise layers (src/render/water/material.rs): windrows of tens of metres, patches of metres, strands of decimetres,
-// threads of centimetres; and billows and strands that tumble down the front of a breaker, in the place of patches and
-// of the strands that the wind has drawn out.
+// threads of centimetres. Patches and strands are those of old foam, which the wind has drawn out. New foam, fronts of
+// breakers and foam on land have two layers of their own in their place, which the wind does not stretch: billows, whose
+// lumps are those of a front, and strands that tumble down a front.
 const FOAM_WINDROW_LAYER = 0u;
 const FOAM_PATCH_LAYER = 1u;
 const FOAM_STRAND_LAYER = 2u;
@@ -34,10 +35,24 @@ const FOAM_TUMBLE_LAYER = 11u;
 // Reciprocals of the standard deviations of the noise of the first four layers: that of windrows is evenly spread, the
 // others are normal.
 const FOAM_PER_DEVIATION = vec4f(3.464, 6.08, 6.08, 6.08);
-// Opacity of the body of foam at its edge (x), and what its core adds (y), relative to its own: the body is thinner at
-// the rims of its holes. And the deviations of the pattern by which the core begins above the edge of the body.
-const FOAM_BODY_CORE = vec2f(0.5, 0.5);
+// Part of the opacity of the body of foam that its core has. The whole body has the rest, so that it is thinner at the
+// rims of its holes.
+const FOAM_CORE_SHARE = 0.5;
+// Deviations of the pattern by which the core begins above the edge of the body. The core is as soft as the film.
 const FOAM_CORE_SHIFT = 0.35;
 // Part of the light of the water, or of the film of water on land, that the foam on it keeps near a shore: its wet
 // bubbles mirror the sky, too.
 const FOAM_SHORE_SHEEN = 0.35;
+
+// Opacity of the film of foam, 0 to 1, where its pattern has the value `z`. `edges` are those of film (x) and body (y) in
+// deviations of the pattern, and `sharp` their sharpness.
+fn foam_film(z: f32, edges: vec2f, sharp: vec2f) -> f32 {
+  return maths_normal_cdf((z + edges.x) * sharp.x);
+}
+
+// Opacity of the body, as foam_film.
+fn foam_body(z: f32, edges: vec2f, sharp: vec2f) -> f32 {
+  let above = z + edges.y;
+  let core = maths_normal_cdf((above - FOAM_CORE_SHIFT) * sharp.x);
+  return mix(maths_normal_cdf(above * sharp.y), core, FOAM_CORE_SHARE);
+}

@@ -2,7 +2,8 @@
 //
 // Foam covers what lies above a threshold in a pattern, a sum of noise layers that is distributed normally. The part of
 // the pattern that the pixel does not resolve softens the threshold, so that the mean is kept at every distance. A wide
-// soft threshold makes the film, which is thickest along its threads, and a sharper, higher one the body.
+// soft threshold makes the film, which is thickest along its threads, and a sharper, higher one the body. Half of the
+// body's opacity comes from its core, whose threshold lies higher still.
 //
 // The pattern, the opacity and the relief follow the age of the foam: the front of a breaker is a heap of billows, new
 // foam behind it a thick sheet with round holes, and old foam thin threads and streaks along the wind.
@@ -23,11 +24,12 @@ const FOAM_SOFTNESS = vec2f(0.4, 0.12);
 const FOAM_OLD_OPACITY = vec2f(0.11, 0.55);
 const FOAM_NEW_OPACITY = vec2f(0.16, 0.70);
 const FOAM_FRONT_OPACITY = vec2f(0.20, 0.78);
-// Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers.
+// Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers, or, if negative,
+// fall short of it: in a front, and in all other foam.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.10);
 const FOAM_FRONT_SHIFT = vec2f(0.35, -0.32);
-// Least root of a share of the pattern's variance from which its layers are read.
-const FOAM_LEAST_SHARE = 0.2;
+// Share of foam that is too small to be seen: layers of noise with less of it are not read.
+const FOAM_LEAST_SHARE = 0.04;
 
 // Mip levels of the noise layers in a pixel.
 struct FoamLods {
@@ -56,24 +58,29 @@ fn foam_lods(pixel: WaterFootprint, has_halves: bool) -> FoamLods {
   return FoamLods(logs.xyyz + densities, logs.y + of_round, whole_m);
 }
 
-// Share of foam that the wind has not drawn out, 0 to 1: fronts, and new foam, of which a storm makes streaks at once.
-// Most foam is wholly of one kind, so that it needs the layers of that kind alone.
-fn foam_round_share(amount: FoamAmount) -> f32 {
-  let new_foam = amount.young * material.noise_layers[FOAM_BILLOW_LAYER].foam_weight;
-  return max(amount.fresh, saturate(2.0 * new_foam - 0.5));
+// Shares of the foam that the wind has not drawn out (x), which are fronts and, in light wind, new foam; and of fronts
+// alone (y); 0 to 1. The change from old to new foam is steep, and small shares count as none, so that most pixels need
+// the layers of one kind alone.
+fn foam_round_shares(amount: FoamAmount) -> vec2f {
+  let new_foam = saturate(2.0 * amount.young * material.foam_calm - 0.5);
+  let shares = vec2f(max(amount.fresh, new_foam), amount.fresh);
+  return saturate((shares - FOAM_LEAST_SHARE) * (1.0 / (1.0 - 2.0 * FOAM_LEAST_SHARE)));
 }
 
 // How the noise layers make the pattern of a pixel's foam.
 struct FoamPattern {
   // Factors on the noise of the four layers, less its mean.
   factors: vec4f,
-  // Roots of the shares of the variance of patches and strands that come from each kind of foam: old foam, which the wind
-  // has drawn out; all other foam, which it has not; and of that, new foam and fronts.
+  // Roots of the shares of the variance of patches and strands that each kind of foam has. Old foam, which the wind has
+  // drawn out:
   drawn_out: f32,
+  // All other foam, whose share is the sum of the next two:
   round: f32,
-  lace: f32,
+  // New foam:
+  new_foam: f32,
+  // Fronts:
   billows: f32,
-  // Edges of film (x) and body (y), in deviations of the pattern, and their sharpness. The core is as soft as the film.
+  // Edges of film (x) and body (y), in deviations of the pattern, and their sharpness.
   edge: vec2f,
   sharp: vec2f,
   // Opacity of the film, and what the body adds.
@@ -82,8 +89,9 @@ struct FoamPattern {
   usual: f32,
 }
 
-// The pattern of foam in a pixel that keeps the fractions `kept` of the variance of the layers.
-fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
+// The pattern of foam in a pixel that keeps the fractions `kept` of the variance of the layers. `shares` are those of
+// foam_round_shares.
+fn foam_pattern(amount: FoamAmount, shares: vec2f, kept: vec4f) -> FoamPattern {
   let fresh = amount.fresh;
   let layers = vec4f(
     material.noise_layers[FOAM_WINDROW_LAYER].foam_weight, material.noise_layers[FOAM_PATCH_LAYER].foam_weight,
@@ -96,13 +104,13 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
   let unresolved = 1.0 - dot(weights * weights, kept);
   var out: FoamPattern;
   out.factors = weights * FOAM_PER_DEVIATION;
-  // Old foam and other foam have layers that are independent, so that their sum keeps its variance.
-  let round = foam_round_share(amount);
-  let roots = sqrt(vec4f(1.0 - round, round, round - fresh, fresh));
+  // The kinds of foam have noise that is independent: layers of their own, or in one layer lace and lumps. So their sum
+  // keeps its variance.
+  let roots = sqrt(vec4f(1.0 - shares.x, shares, shares.x - shares.y));
   out.drawn_out = roots.x;
   out.round = roots.y;
-  out.lace = roots.z;
-  out.billows = roots.w;
+  out.billows = roots.z;
+  out.new_foam = roots.w;
   let quantile = maths_normal_quantile(clamp(amount.cover, 1e-4, 1.0 - 1e-4));
   let shift = mix(FOAM_OLD_SHIFT, FOAM_FRONT_SHIFT, fresh);
   let square = FOAM_SOFTNESS * FOAM_SOFTNESS;
@@ -117,10 +125,10 @@ fn foam_pattern(amount: FoamAmount, kept: vec4f) -> FoamPattern {
 // Strands (x) and lumps (y) at a place, less their means.
 fn foam_strands(pattern: FoamPattern, at: vec2f, lods: FoamLods) -> vec2f {
   var out = vec2f(0.0);
-  if pattern.drawn_out > FOAM_LEAST_SHARE {
+  if pattern.drawn_out > 0.0 {
     out = pattern.drawn_out * (material_noise(FOAM_STRAND_LAYER, at, lods.layers.z).ra - 0.5);
   }
-  if pattern.round > FOAM_LEAST_SHARE {
+  if pattern.round > 0.0 {
     out += pattern.round * (material_noise(FOAM_TUMBLE_LAYER, at, lods.round.y).ra - 0.5);
   }
   return out;
@@ -129,20 +137,12 @@ fn foam_strands(pattern: FoamPattern, at: vec2f, lods: FoamLods) -> vec2f {
 // Patches (x) and the height of billows (y) at a place, less their means.
 fn foam_patches(pattern: FoamPattern, at: vec2f, lods: FoamLods) -> vec2f {
   var out = vec2f(0.0);
-  if pattern.drawn_out > FOAM_LEAST_SHARE {
+  if pattern.drawn_out > 0.0 {
     out.x = pattern.drawn_out * (material_noise(FOAM_PATCH_LAYER, at, lods.layers.y).r - 0.5);
   }
-  if pattern.round > FOAM_LEAST_SHARE {
-    let billows = material_noise(FOAM_BILLOW_LAYER, at, lods.round.x).ra - 0.5;
-    out += vec2f(dot(vec2f(pattern.lace, pattern.billows), billows), billows.y);
+  if pattern.round > 0.0 {
+    let lace_and_lumps = material_noise(FOAM_BILLOW_LAYER, at, lods.round.x).ra - 0.5;
+    out += vec2f(dot(vec2f(pattern.new_foam, pattern.billows), lace_and_lumps), lace_and_lumps.y);
   }
   return out;
-}
-
-// Opacity of film (x) and body (y) where the pattern has the value `z`.
-fn foam_film_and_body(pattern: FoamPattern, z: f32) -> vec2f {
-  let above = vec3f(z) + vec3f(pattern.edge, pattern.edge.y - FOAM_CORE_SHIFT);
-  let at = above * pattern.sharp.xyx;
-  let body = vec2f(maths_normal_cdf(at.y), maths_normal_cdf(at.z));
-  return vec2f(maths_normal_cdf(at.x), dot(FOAM_BODY_CORE, body));
 }

@@ -8,7 +8,7 @@ const LEAN_NODE_SPREAD = 0.62;
 // Square of the distance from the mean slope, in standard deviations, beyond which the lean tier draws no glitter.
 const LEAN_NO_GLITTER_SQUARE = 25.0;
 // Optical depth of the air and fog before the water, from which they are drawn.
-const LEAN_LEAST_OPTICAL_DEPTH = 0.006;
+const LEAN_LEAST_OPTICAL_DEPTH = 0.0075;
 // Largest ratio of the facets in shadow to those that are lit.
 const LEAN_MOST_SHADOW = 5.0;
 // Amount of foam, 0 to 1, below which the lean tier draws none.
@@ -108,11 +108,11 @@ fn lean_foam_level(at: vec2f, foot: LeanFootprint) -> FoamAmount {
   return foam_amount(foam_cell(level, at), frame.foam_levels[level].front_fill, 0.0);
 }
 
-// Appearance of foam in a pixel (as foam_appearance), without threads, and with one edge for film and body, and with the
-// layers of noise of what most of the foam is: old foam, which the wind has drawn out, or other foam.
+// Appearance of foam in a pixel (as foam_appearance), without threads, and with one edge for film and body. It has the
+// layers of noise of one kind of foam: that which the wind has drawn out, or the other, whichever there is more of.
 fn lean_foam(at: vec2f, foot: LeanFootprint, amount: FoamAmount) -> FoamAppearance {
   let is_front = amount.fresh > 0.5;
-  let is_round = foam_round_share(amount) > 0.5;
+  let is_round = foam_round_shares(amount).x > 0.5;
   let wide = select(FOAM_PATCH_LAYER, FOAM_BILLOW_LAYER, is_round);
   let narrow = select(FOAM_STRAND_LAYER, FOAM_TUMBLE_LAYER, is_round);
   let lods = foot.log_texel_m + vec3f(
@@ -228,7 +228,9 @@ fn lean_radiance(point: WaterPoint, long_m: f32, carried: WaterDerivatives) -> v
     let size = WATER_TAP_TEXEL_RATIO * vec2f(long_m, frame.pixel_angle * distance_m);
     below = water_bed_radiance(below, point.position.xz, point.height, ray, size, slope.variance);
   }
-  below += lean_crest_radiance(n, ray, slope, point.height, foam.plume);
+  if point.height > 0.0 {
+    below += lean_crest_radiance(n, ray, slope, point.height, foam.plume);
+  }
   if WATER_HULLS {
     below *= wake.open;
   }

@@ -47,7 +47,7 @@ fn lean_add_waves(
   let uv = map.uv_below_eye + at * map.inverse_patch + lean_copy_shift(map.tile_position, at);
   let lod = foot.log_texel_m + map.log_texels_per_m;
   let fading = (foot.side_m * map.inverse_patch - LEAN_FADE_START) * (1.0 / (LEAN_FADE_END - LEAN_FADE_START));
-  let weight = 1.0 - maths_smooth(fading);
+  let weight = saturate(1.0 - fading);
   let gradients = weight * textureSampleLevel(gradients_map, trilinear_sampler, uv, map.layer, lod);
   var own = (1.0 - carried) * map.slope_scale;
   var variance_factor = map.variance_factor;

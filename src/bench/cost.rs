@@ -141,10 +141,10 @@ pub const MESH_VERTEX_COST: ShaderCost = ShaderCost { ops: 38.0, reads: 0.0, max
 /// Cost per pixel of the fragment shader that draws the sea mesh to the G-buffer (surface data per pixel).
 pub const MESH_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 31.0, reads: 0.0, max_ops: 31.0, max_reads: 0.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the G-buffer.
-pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2997.6, reads: 30.4, max_ops: 5333.0, max_reads: 60.0 };
+pub const LIGHT_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 2995.1, reads: 30.4, max_ops: 5206.0, max_reads: 60.0 };
 /// Cost per pixel of the fragment shader that lights the sea in the lean tier.
 pub const LEAN_LIGHT_FRAGMENT_COST: ShaderCost =
-    ShaderCost { ops: 1492.6, reads: 13.4, max_ops: 2509.0, max_reads: 19.0 };
+    ShaderCost { ops: 1458.2, reads: 13.3, max_ops: 2498.0, max_reads: 19.0 };
 /// Cost per pixel of the fragment shader that draws the sky above the sea.
 pub const BACKGROUND_FRAGMENT_COST: ShaderCost = ShaderCost { ops: 249.4, reads: 1.2, max_ops: 331.0, max_reads: 2.0 };
 /// Cost per pixel of the tone pass, which turns the HDR picture into screen colours.

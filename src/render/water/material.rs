@@ -11,7 +11,7 @@ use crate::state::look::Scattering;
 use glam::{DMat2, DVec2};
 
 /// Number of noise layers, each a periodic texture at its own size and angle: four for foam, four of the
-/// bed's texture, two for the roughness of the water, and two for the foam that tumbles down breakers.
+/// bed's texture, two for the roughness of the water, and two for foam that the wind has not drawn out.
 const NOISE_LAYERS: usize = 12;
 /// Shape of a noise layer.
 #[derive(Clone, Copy)]
@@ -23,8 +23,7 @@ struct LayerShape {
     turn_deg: f64,
     /// Relative lengthening of the tile along the axis in a storm.
     longer: f64,
-    /// Weight of the layer in the pattern of old foam, and what a storm adds; of the billows, share of new foam that has
-    /// their pattern.
+    /// Weight of the layer in the pattern of old foam, and what a storm adds.
     weight: f64,
     gale_weight: f64,
     /// Speed along the wind, relative to the wind's speed at 10 m.
@@ -46,7 +45,7 @@ impl LayerShape {
 }
 
 /// Shapes of the noise layers: four of foam (windrows, patches, strands, threads), four of the bed (banks and
-/// channels, meadows, coral heads, ripples of the sand), gusts, slicks, and billows and tumbling strands of breakers.
+/// channels, meadows, coral heads, ripples of the sand), gusts, slicks, and billows and strands of new foam and breakers.
 /// Sides and angles have no common period, so that the sum of the layers does not repeat. Windrows gather old foam
 /// between the rolls of the Langmuir circulation, 10 to 100 m apart, in winds above 8 m/s. Foam moves with the water that
 /// it lies on, gusts are carried by the air, and slicks by the surface current.
@@ -62,8 +61,8 @@ const LAYER_SHAPES: [LayerShape; NOISE_LAYERS] = [
     LayerShape::bed(15.1, -14.0),
     LayerShape::roughness([910.0, 620.0, 4.0, 0.5], 0.7),
     LayerShape::roughness([260.0, 149.0, -7.0, 2.0], 0.03),
-    LayerShape::foam([37.0, 31.0, 17.0, 0.3], [1.0, -1.0]),
-    // The wind has not drawn them out yet: stretched strands would hang down a front like combed wool.
+    LayerShape::foam([37.0, 31.0, 17.0, 0.3], [0.0; 2]),
+    // The wind has not drawn these two out yet: new foam would look combed, and strands would hang down a front like wool.
     LayerShape::foam([8.3, 10.7, 23.0, 0.0], [0.0; 2]),
 ];
 /// Least density of texels that a layer counts with, relative to that along its denser axis: a longer tile would
@@ -99,7 +98,7 @@ gpu_struct! {
         /// Binary logarithm of the number of texels of the noise texture per metre: the geometric mean of both axes, or
         /// nearly that of the denser one where the tile is long.
         log_texels_per_m: f32,
-        /// Weight of the layer in the pattern of old foam; of the billows, share of new foam that has their pattern.
+        /// Weight of the layer in the pattern of old foam.
         foam_weight: f32,
     }
 }
@@ -209,6 +208,10 @@ gpu_struct! {
         diffuse_attenuation: [f32; 3],
         /// Part of the mean foam that lies in streaks along the wind all over the sea, not around the breakers.
         foam_streak_share: f32,
+        /// 1 in light wind, where new foam has round holes, and 0 in a storm, which draws it out at once.
+        foam_calm: f32,
+        unused: u32,
+        unused_pair: [u32; 2],
     }
 }
 
@@ -278,6 +281,9 @@ impl MaterialUniform {
             ring_slope_variance: rain::ring_slope_variance(rain_mm_h) as f32,
             diffuse_attenuation: single(water.diffuse_attenuation),
             foam_streak_share: foam_streak_share(scene.sea.wind_m_s) as f32,
+            foam_calm: (1.0 - gale) as f32,
+            unused: 0,
+            unused_pair: [0; 2],
         }
     }
 }

@@ -81,8 +81,8 @@ const CLAIMS: [(&str, [f64; 2], [f64; 2]); 26] = [
     ("Swell on a beach", [2.1, 2.3], [9.5, 10.5]),
     ("Headland and bay", [1.7, 1.9], [10.5, 11.5]),
     ("Surf on a bar", [2.4, 2.6], [11.5, 12.5]),
-    ("Around the island", [1.75, 1.9], [10.5, 11.5]),
-    ("Harbour entrance", [1.5, 1.75], [7.5, 8.5]),
+    ("Around the island", [1.25, 1.35], [10.5, 11.5]),
+    ("Harbour entrance", [0.75, 0.85], [7.5, 8.5]),
     ("Over the shoal", [1.45, 1.6], [6.8, 7.4]),
 ];
 
