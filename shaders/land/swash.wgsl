@@ -36,8 +36,8 @@ fn land_swash_marks(height: f32, run_up: f32, middle: vec4f, fine: vec4f, size: 
   return dot(lines, saturate(vec2f(0.35) + vec2f(0.5, -0.45) * middle.wz + 0.3 * fine.w));
 }
 
-// Film (x) and body (y) of foam on sand, as in shaders/water/foam_pattern.wgsl: softness of their edges, deviations of the
-// pattern; deviations by which they reach beyond the area that the foam covers; and their opacity.
+// Film (x) and body (y) of foam on sand, as in shaders/water/foam_pattern.wgsl: softness of their edges, deviations of
+// the pattern; deviations by which they reach beyond the area that the foam covers; and their opacity.
 const SWASH_SOFTNESS = vec2f(0.4, 0.14);
 const SWASH_SHIFT = vec2f(0.35, -0.36);
 const SWASH_OPACITY = vec2f(0.12, 0.80);
@@ -117,7 +117,8 @@ struct SwashFoam {
   beside: f32,
 }
 
-// The foam on a film of water: the pattern of new foam on the water in light wind, with fewer layers. `cover` is the part of the ground that it covers, `dir` the direction from the eye.
+// The foam on a film of water: the pattern of new foam on the water in light wind, with fewer layers. `cover` is the part
+// of the ground that it covers, `dir` the direction from the eye.
 fn swash_foam(at: vec2f, size: f32, cover: f32, dir: vec3f) -> SwashFoam {
   let l = frame.sun_direction;
   var out = SwashFoam(0.0, max(l.y, 0.0), 1.0, 1.0);

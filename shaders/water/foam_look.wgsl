@@ -73,7 +73,8 @@ fn foam_relief(pattern: FoamPattern, place: FoamPlace, lods: FoamLods, sees_bubb
 
 // Correction of the grain of foam: the light of foam grows exponentially with its grain, so without this correction
 // uneven foam would be brighter on average than even foam.
-// `kept` are the resolved fractions of the variance of billows (x) and lumps (y), `billows` is the root of the share of fronts.
+// `kept` are the resolved fractions of the variance of billows (x) and lumps (y), `billows` is the root of the share of
+// fronts.
 fn foam_grain_skew(kept: vec2f, billows: f32) -> f32 {
   let grain = FOAM_BILLOW_GRAIN * billows;
   return FOAM_GRAIN_SKEW * (kept.y + grain * grain * kept.x);

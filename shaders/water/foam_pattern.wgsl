@@ -25,10 +25,11 @@ const FOAM_OLD_OPACITY = vec2f(0.11, 0.55);
 const FOAM_NEW_OPACITY = vec2f(0.16, 0.70);
 const FOAM_FRONT_OPACITY = vec2f(0.20, 0.78);
 // Deviations of the pattern by which film (x) and body (y) reach beyond the area that the foam covers, or, if negative,
-// fall short of it: in a front, and in all other foam.
+// fall short of it: in all foam but fronts, and in fronts.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.10);
 const FOAM_FRONT_SHIFT = vec2f(0.35, -0.32);
-// Share of foam that is too small to be seen: layers of noise with less of it are not read.
+// Shares of a kind of foam below this count as 0, and those above 1 less this as 1. The layers of a kind that has no share
+// are not read.
 const FOAM_LEAST_SHARE = 0.04;
 
 // Mip levels of the noise layers in a pixel.

@@ -23,7 +23,7 @@ struct LayerShape {
     turn_deg: f64,
     /// Relative lengthening of the tile along the axis in a storm.
     longer: f64,
-    /// Weight of the layer in the pattern of old foam, and what a storm adds.
+    /// Weight of the layer in the pattern of all foam but fronts, before the factors for its age, and what a storm adds.
     weight: f64,
     gale_weight: f64,
     /// Speed along the wind, relative to the wind's speed at 10 m.
@@ -98,7 +98,7 @@ gpu_struct! {
         /// Binary logarithm of the number of texels of the noise texture per metre: the geometric mean of both axes, or
         /// nearly that of the denser one where the tile is long.
         log_texels_per_m: f32,
-        /// Weight of the layer in the pattern of old foam.
+        /// Weight of the layer in the pattern of all foam but fronts, before the factors for its age.
         foam_weight: f32,
     }
 }
