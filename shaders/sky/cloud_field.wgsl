@@ -5,6 +5,8 @@
 const CLOUD_THIN_CUT = 0.3;
 // Averaged over more than this share of its side, the fine noise is nearly even, and is not read.
 const CLOUD_FINE_SHARE = 0.25;
+// Mip levels by which the fine noise is sharper than the footprint: heaps of cloud that are smooth look like clay.
+const CLOUD_FINE_SHARPER = 1.0;
 
 // How far a point lies inside the clouds before noise roughens them, km (x), negative outside; how far it lies below
 // their top, km (y); and the shift of the noise there, km (zw).
@@ -39,7 +41,7 @@ fn cloud_rough_depth(at: vec3f, place: vec4f, footprint_km: f32) -> f32 {
   if is_near_edge && footprint_km * cloud_field.details_per_km < CLOUD_FINE_SHARE {
     // The wide noise bends the fine one, which tears its round heads.
     let bent = p * cloud_field.details_per_km + 0.7 * (noise.bgg - vec3f(0.5, 0.45, 0.45));
-    let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, bent, lods.y).g;
+    let fine = textureSampleLevel(cloud_noise_map, cloud_sampler, bent, max(lods.y - CLOUD_FINE_SHARPER, 0.0)).g;
     // Heads above, wisps at the base.
     let heads = mix(0.9 - fine, fine, saturate(0.25 + 6.0 * rise_km * cloud_field.layers_per_km));
     inside += cloud_field.detail_amplitude * (heads - 0.45);

@@ -99,7 +99,7 @@ const CUMULUS: Kind = Kind {
     shape_km: 1.0,
     detail_km: 0.25,
     shape_amplitude_km: 0.6,
-    detail_amplitude_km: 0.12,
+    detail_amplitude_km: 0.2,
     soft_km: [0.038, 0.11],
     base_bump_km: 0.08,
     slope: 1.0,
