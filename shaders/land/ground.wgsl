@@ -22,7 +22,8 @@ fn land_mix(a: LandGround, b: LandGround, share: f32) -> LandGround {
 }
 
 // Share of a film of water in the look of sand that the last waves have left. And how wet that sand must be to begin to
-// shine, and to shine fully: a range narrower than the edge of the wet sand, so that the shine ends in lobes, not in a haze.
+// shine, and to shine fully. This range is narrower than the edge of the wet sand, so the shine ends in lobes and not in
+// a haze.
 const LAND_SHEEN = 0.9;
 const LAND_SHEEN_WETNESS = vec2f(0.6, 0.95);
 // Side of the tile of the grain of sand, m, and the width of a pixel, m, from which it is not seen.

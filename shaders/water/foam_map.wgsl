@@ -23,9 +23,9 @@ fn foam_cell(level: u32, at: vec2f) -> vec4f {
 }
 
 // Noise layers (src/render/water/material.rs): windrows of tens of metres, patches of metres, strands of decimetres,
-// threads of centimetres. Patches and strands are those of foam that the wind has drawn out. Fronts of breakers,
-// foam on land and, in light wind, new foam read two other layers in their place, which the wind hardly stretches: one
-// with lace of metres (red) and the billows of fronts (alpha), one with strands (red) and lumps (alpha) of decimetres.
+// threads of centimetres. Patches and strands are those of foam that the wind has drawn out. Fronts of breakers, foam
+// on land and, in light wind, new foam read two other layers in their place, which the wind hardly stretches: one with
+// lace of metres (red) and the billows of fronts (alpha), one with strands (red) and lumps (alpha) of decimetres.
 const FOAM_WINDROW_LAYER = 0u;
 const FOAM_PATCH_LAYER = 1u;
 const FOAM_STRAND_LAYER = 2u;

@@ -28,8 +28,8 @@ const FOAM_FRONT_OPACITY = vec2f(0.20, 0.78);
 // fall short of it: in all foam but fronts, and in fronts.
 const FOAM_OLD_SHIFT = vec2f(0.45, -0.10);
 const FOAM_FRONT_SHIFT = vec2f(0.35, -0.32);
-// Shares of a kind of foam below this count as 0, and those above 1 less this as 1. The layers of a kind that has no share
-// are not read.
+// Shares of a kind of foam below this count as 0, and shares above 1 - FOAM_LEAST_SHARE as 1. Layers of a kind without a
+// share are not read.
 const FOAM_LEAST_SHARE = 0.04;
 
 // Mip levels of the noise layers in a pixel.

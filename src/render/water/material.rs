@@ -210,6 +210,7 @@ gpu_struct! {
         foam_streak_share: f32,
         /// 1 in light wind, where new foam has round holes, and 0 in a storm, which draws it out at once.
         foam_calm: f32,
+        /// Unused, as the next field: they pad the struct to a multiple of 16 bytes.
         unused: u32,
         unused_pair: [u32; 2],
     }
