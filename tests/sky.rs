@@ -225,6 +225,20 @@ fn no_glow_lies_before_a_cloud_that_hides_the_sun() {
     assert!([cloudy, rain, shafts].iter().all(|glow| *glow < 1.08), "{cloudy} {rain} {shafts}");
 }
 
+/// A storm deck is thick: a low sun does not light the bumps of its base from below, which would be orange.
+#[test]
+fn a_low_sun_does_not_light_the_base_of_a_storm_deck() {
+    let gpu = gpu();
+    let view = "n=64&wind=10&t=5&dither=0&bloom=0&y=3&sun=8&sunaz=30&heading=10&pitch=40&fov=50";
+    let pixels = render(&gpu, &format!("{view}&clouds=storm&cloudcover=0.8"));
+    let orange = pixels.iter().filter(|p| f64::from(p[0]) > 1.1 * f64::from(p[2])).count();
+    let [least, most] = blocks(&pixels).iter().fold([f64::MAX, 0.0], |m, b| [b.min(m[0]), b.max(m[1])]);
+    eprintln!("{orange} of {} pixels are orange; luminance {least:.0} to {most:.0}", pixels.len());
+    assert_eq!(orange, 0);
+    // It has light and dark parts, because it holds more water in some places than in others.
+    assert!(most > 1.2 * least, "{least} {most}");
+}
+
 /// Rays of the sun come down from a gap in a deck: shafts of rain are bright there, and dark in the shade beside it.
 #[test]
 fn the_sun_lights_rain_below_a_gap() {

@@ -1,5 +1,5 @@
 // Light of a point in the clouds, for the dome of clouds. Distances are in km. Needs the functions of cloud_field.wgsl
-// and atm_henyey_greenstein.
+// and cloud_rays.wgsl, the numbers of cloud_kinds.wgsl, and atm_henyey_greenstein.
 
 // Shares of single, less often and often scattered sunlight, with the factors on extinction and asymmetry for each
 // (Wrenninge et al. 2013). The shares are chosen for the look.
@@ -47,16 +47,40 @@ fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, footprint_km: f32) -> f32
   return depth * DOME_SUN_DEPTH * cloud_field.extinction_per_km;
 }
 
+// A storm deck is thicker than the samples towards the sun reach. Below the first of these heights, as fractions of its
+// thickness, the map of shadows dims what the samples leave of the sunlight; above the second one, it does not.
+const DOME_STORM_HEIGHTS = vec2f(0.25, 0.75);
+// Least width over which the map of shadows is averaged in a storm deck, km.
+const DOME_STORM_BLUR_KM = 0.3;
+// How much water a storm deck holds differs from place to place: number of repeats of this noise in the tile of the
+// clouds, and the change of the water's natural logarithm from 0 to 1 in the noise.
+const DOME_STORM_WATER_REPEATS = 6.0;
+const DOME_STORM_WATER_CONTRAST = 4.0;
+
+// Factors in a storm deck on the sunlight that the samples leave (x) and on the thickness of the cloud above (y).
+fn dome_storm_factors(p: vec3f, rise_km: f32, footprint_km: f32) -> vec2f {
+  let open = smoothstep(DOME_STORM_HEIGHTS.x, DOME_STORM_HEIGHTS.y, rise_km * cloud_field.layers_per_km);
+  let repeats_per_km = DOME_STORM_WATER_REPEATS * cloud_field.tiles_per_km;
+  let lod = max(log2(footprint_km * repeats_per_km * f32(textureDimensions(cloud_noise_map).x)), 0.0);
+  let water = textureSampleLevel(cloud_noise_map, cloud_sampler, vec3f(p.x, 0.0, p.z) * repeats_per_km, lod).b;
+  let sunlit = ray_sunlit(p, max(DOME_STORM_BLUR_KM, footprint_km));
+  return vec2f(mix(sunlit, 1.0, open), exp(DOME_STORM_WATER_CONTRAST * (water - 0.5)));
+}
+
 // Factors on the light of sun, sky and sea, of cloud at the point p.
 fn dome_lit(p: vec3f, place: vec4f, inside: f32, footprint_km: f32, sun: vec3f, phase: vec3f) -> vec3f {
   let tau = dome_sun_depth(p, sun, 2.0 * cloud_field.step_km, footprint_km);
   let rise = max(p.y - cloud_field.base_km, 0.0);
-  let over_km = max(place.y, 0.0);
+  var storm = vec2f(1.0);
+  if cloud_field.kind == CLOUD_STORM {
+    storm = dome_storm_factors(p, rise, footprint_km);
+  }
+  let over_km = storm.y * max(place.y, 0.0);
   let above = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * over_km);
   let below = 1.0 / (1.0 + DOME_DIFFUSE * cloud_field.extinction_per_km * rise);
   // Light that has been scattered often is weaker at the very surface, from which it escapes.
   let buried = 1.0 - 0.7 * exp(-0.35 * (tau + cloud_field.extinction_per_km * 0.1 * inside));
-  let shine = phase * exp(-tau * DOME_OCTAVE_EXTINCTION);
+  let shine = phase * exp(-tau * DOME_OCTAVE_EXTINCTION) * storm.x;
   // Creases between heads, which the noise has cut into the cloud, see less of the light from all sides.
   let open = DOME_CREASE + (1.0 - DOME_CREASE) * saturate(0.6 - 2.0 * place.x / cloud_field.shape_amplitude);
   return vec3f(shine.x + open * (shine.y + shine.z * buried), 0.5 * above * open, 0.5 * below);

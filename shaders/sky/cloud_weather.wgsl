@@ -12,6 +12,12 @@ const WEATHER_STREETS = 9.0;
 // clouds of many sizes.
 const WEATHER_HEAPS_START = vec2f(0.867, 0.055);
 
+// Towering cumulus: factors on the heights of wide heaps (x) and of narrower ones (y), and factors by which the lower
+// of two heaps that overlap stands on the higher one, for wide and middle heaps (z) and for narrow ones on both (w).
+const WEATHER_TOWERS = vec4f(0.35, 0.45, 2.2, 0.9);
+// Height, as a fraction of the layer, from which towers are held below the top of the layer.
+const WEATHER_LID = 0.7;
+
 // Broken deck: value of its pattern at which the height is half of the highest, and the step, tiles, for differences.
 const WEATHER_DECK_EDGE = 0.35;
 const WEATHER_DECK_STEP = 0.002;
@@ -56,8 +62,6 @@ fn weather_group(at: vec2f, gather: f32) -> f32 {
 fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, gather: f32, key: u32) -> vec2f {
   let p = at * f32(cells);
   let cell = vec2i(floor(p));
-  // Cumulus has steep sides down to the base and round tops. Towers are steep already.
-  let sides = select(0.3, 1.0, cloud_field.kind == CLOUD_CUMULUS);
   var high = vec2f(-1.0, 0.0);
   for (var i = 0; i < 25; i++) {
     let off = vec2i(i % 5, i / 5) - 2;
@@ -75,20 +79,21 @@ fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, gather: f32, 
     let square = radius * radius + 1e-4;
     // The smallest heaps have dissolved.
     let x = dot(d, d) / square;
-    let here = size * (1.0 - x * mix(1.0, min(x, 1.0), sides)) - 0.09;
+    // Steep sides down to the base, and a round top.
+    let here = size * (1.0 - x * min(x, 1.0)) - 0.09;
     if here > high.x {
-      let steep = select(2.0, 2.0 * mix(1.0, 2.0 * x, sides), x < 1.0) * size * min(length(d), radius) / square;
+      let steep = select(2.0, 4.0 * x, x < 1.0) * size * min(length(d), radius) / square;
       high = vec2f(here, steep * f32(cells));
     }
   }
   return high;
 }
 
-// Two layers of heaps as one: where both have cloud, the lower one is a turret on the higher one.
-fn weather_piled(a: vec2f, b: vec2f) -> vec2f {
+// Two layers of heaps as one: where both have cloud, the lower one, times `turret`, is a turret on the higher one.
+fn weather_piled(a: vec2f, b: vec2f, turret: f32) -> vec2f {
   let high = select(b, a, a.x > b.x);
   let low = select(a, b, a.x > b.x);
-  return high + select(vec2f(0.0), 0.5 * low, low.x > 0.0);
+  return high + select(vec2f(0.0), turret * low, low.x > 0.0);
 }
 
 // Square of the distance to the nearest of random points, one in each cell, in cells. Points differ by `spread` in this
@@ -135,12 +140,20 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   var high = vec2f(-1.0, 0.0);
   if is_heaps {
     let steep = cloud_field.steepness;
-    // Only wide heaps become towers: narrow ones would be needles.
-    let slim = select(1.0, 0.45, cloud_field.kind == CLOUD_TOWERING);
-    let wide = weather_heaps(at, 17, 0.35 * area, 0.85 * steep / 17.0, 1.0, 1u);
+    // Towers stand on low wide heaps. Alone, narrower heaps stay low: they would be needles.
+    let is_towering = cloud_field.kind == CLOUD_TOWERING;
+    let broad = select(0.85, WEATHER_TOWERS.x, is_towering);
+    let slim = select(1.0, WEATHER_TOWERS.y, is_towering);
+    let turrets = select(vec2f(0.5), WEATHER_TOWERS.zw, is_towering);
+    let wide = weather_heaps(at, 17, 0.35 * area, broad * steep / 17.0, 1.0, 1u);
     let middle = weather_heaps(at, 31, 0.3 * area, 1.1 * slim * steep / 31.0, 1.0, 11u);
     let narrow = weather_heaps(at, 61, 0.35 * area, 1.4 * slim * steep / 61.0, 0.5, 21u);
-    high = weather_piled(weather_piled(wide, middle), narrow);
+    high = weather_piled(weather_piled(wide, middle, turrets.x), narrow, turrets.y);
+    if is_towering && high.x > WEATHER_LID {
+      let room = 1.0 - WEATHER_LID;
+      let held = exp((WEATHER_LID - high.x) / room);
+      high = vec2f(1.0 - room * held, high.y * held);
+    }
   } else if cloud_field.kind == CLOUD_STRATOCUMULUS {
     // Differences between neighbours give the steepness.
     let next = vec2f(WEATHER_DECK_STEP, 0.0);

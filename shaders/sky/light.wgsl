@@ -14,8 +14,6 @@
 @group(0) @binding(7) var<storage, read_write> light_parts: array<vec4f, 256>;
 
 const LIGHT_THREADS = 256u;
-// Fraction of the irradiance of sun and sky that a closed cloud deck transmits.
-const LIGHT_OVERCAST_TRANSMITTANCE = 0.28;
 
 fn light_sum_of_parts() -> vec4f {
   var total = vec4f(0.0);
@@ -61,7 +59,7 @@ fn clear_irradiance() {
   light.clear_sky_irradiance = diffuse;
   // A cloud deck scatters all colours equally. A trace of the blue sky above it remains.
   let grey = mix(vec3f(sky_luminance(globally)), globally, 0.35) * vec3f(0.92, 1.0, 1.09);
-  light.overcast_zenith_radiance = grey * (LIGHT_OVERCAST_TRANSMITTANCE * 9.0 / (7.0 * ATM_PI));
+  light.overcast_zenith_radiance = grey * (SKY_OVERCAST_TRANSMITTANCE * 9.0 / (7.0 * ATM_PI));
   light.fog_sky_radiance = vec3f(0.0);
   light.fog_sun_irradiance = vec3f(0.0);
   light.sun_above_fog = 1.0;
@@ -78,7 +76,7 @@ fn clear_irradiance() {
     light.fog_sun_irradiance = light.sun_irradiance * sunlight;
     light.sun_above_fog = 1.0 / max(fog_transmittance(0.0, sky.sun_direction.y, 0.0, FOG_FAR_M), 1e-3);
     let lost = sun * (high * (1.0 - sunlight));
-    light.fog_sky_radiance = (mix(diffuse, LIGHT_OVERCAST_TRANSMITTANCE * grey, o) + lost) * (0.6 / ATM_PI);
+    light.fog_sky_radiance = (mix(diffuse, SKY_OVERCAST_TRANSMITTANCE * grey, o) + lost) * (0.6 / ATM_PI);
     let tint = vec3f(sky.fog_red, sky.fog_green, sky.fog_blue);
     light.fog_sky_radiance *= tint;
     light.fog_sun_irradiance *= tint;

@@ -13,6 +13,9 @@ fn sky_clear_radiance(dir: vec3f, above: f32) -> vec3f {
   return textureSampleLevel(sky_view_map, sky_sampler, uv, 0.0).rgb;
 }
 
+// Fraction of the irradiance of sun and sky that a closed cloud deck transmits.
+const SKY_OVERCAST_TRANSMITTANCE = 0.28;
+
 // Radiance of an overcast sky at the elevation `above`, rad (Moon and Spencer 1942, CIE standard overcast sky).
 fn sky_overcast_radiance(above: f32) -> vec3f {
   return light.overcast_zenith_radiance * (1.0 + 2.0 * sin(max(above, 0.0))) / 3.0;

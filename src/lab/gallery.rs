@@ -46,10 +46,10 @@ pub const GALLERY_PICTURES: &[GalleryPicture] = &[
     },
     GalleryPicture {
         title: "Trade wind",
-        description: "9 m/s from the south, a fully developed sea with fair-weather cumulus, and the swell of a \
-                      storm far to the north: a yacht sails close to the wind.",
-        state: "v=2&spectrum=pm&wind=9&dir=170&scale2=1&dir2=340&hs2=2&tp2=13&sun=34&sunaz=205&haze=0.3\
-                &clouds=cumulus&cloudcover=0.4&glints=1&gusts=1&bloom=0.04&localexposure=0.5&y=3.5&heading=250\
+        description: "9 m/s from the south, a fully developed sea, and the swell of a storm far to the north: a yacht \
+                      sails close to the wind in the last hour of the day.",
+        state: "v=2&spectrum=pm&wind=9&dir=170&scale2=1&dir2=340&hs2=2&tp2=13&sun=8&sunaz=225&haze=0.3\
+                &clouds=cirrus&cloudcover=0.4&glints=1&gusts=1&bloom=0.04&localexposure=0.5&y=3.5&heading=250\
                 &pitch=2&fov=45&t=34&afloat=yacht*-32*18",
     },
     GalleryPicture {

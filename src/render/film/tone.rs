@@ -13,7 +13,7 @@ use crate::render::sky::uniform::{LightBuffer, night_gain};
 use crate::render::targets::cleared_attachment;
 use crate::render::water::under;
 use crate::shaders::Shaders;
-use crate::state::look::FilmLook;
+use crate::state::look::{CloudKind, FilmLook};
 
 gpu_struct! {
     /// WGSL `Tone`: uniform buffer of the pass that turns linear light into screen colours.
@@ -61,7 +61,9 @@ fn facing_sun_factor(scene: &Scene) -> f64 {
     let up = ((sun.y.asin().to_degrees() + 3.0) / 6.0).clamp(0.0, 1.0);
     // A sky image contains its own clouds.
     let overcast = if sky.panorama().is_some() { 0.0 } else { sky.overcast };
-    let brightness = up * (1.0 - overcast).powi(2) * (1.0 - (1.0 - by_sun) * (1.0 - by_glitter));
+    // The gaps of a storm deck have about this share of its area, a fit to shaders/sky/cloud_weather.wgsl.
+    let gaps = if sky.drawn_clouds() == CloudKind::Storm { (1.0 - sky.cloud_cover).powi(8) } else { 1.0 };
+    let brightness = up * gaps * (1.0 - overcast).powi(2) * (1.0 - (1.0 - by_sun) * (1.0 - by_glitter));
     1.0 / (1.0 + 2.6 * brightness)
 }
 
