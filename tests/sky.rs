@@ -225,7 +225,7 @@ fn no_glow_lies_before_a_cloud_that_hides_the_sun() {
     assert!([cloudy, rain, shafts].iter().all(|glow| *glow < 1.08), "{cloudy} {rain} {shafts}");
 }
 
-/// A storm deck is thick: a low sun does not light the bumps of its base from below, which would be orange.
+/// A storm deck is thick: a low sun does not light the bumps of its base from below; they would be orange then.
 #[test]
 fn a_low_sun_does_not_light_the_base_of_a_storm_deck() {
     let gpu = gpu();

@@ -16,7 +16,8 @@ const SPRAY_SKY_LOD = 3.0;
 const SPRAY_LOWEST_SKY = 0.05;
 
 // Radiance of spray that the optical depth makes opaque, before the air in front of it. Drops scatter most of the light
-// forwards, so spray takes on the light of the sky behind it. The fraction `open` of the other light reaches it.
+// forwards, so spray takes on the light of the sky behind it, as far as that lobe lies above the horizon. The fraction
+// `open` of the other light reaches it.
 fn spray_radiance(dir: vec3f, place: vec2f, open: f32) -> vec3f {
   let sun = drop_sunlight(place);
   let forwards = SPRAY_FORWARD_SHARE * atm_henyey_greenstein(dot(dir, frame.sun_direction), SPRAY_ASYMMETRY);

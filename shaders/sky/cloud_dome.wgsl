@@ -173,8 +173,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       // The sea and the low air return little of the light that falls on them between the clouds.
       let on_sea = ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0);
       let from_sea = sky_shaded_air(on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky);
-      // Deep in a cloud, the light from above is that of sky and sun together. A storm deck takes all of it and makes
-      // it grey, as an overcast sky does; a heap of cloud loses most of the sunlight through its sides.
+      // Deep in a cloud, the light from above is that of sky and sun together. All of it enters a storm deck, which
+      // makes it grey, as an overcast sky does; a heap of cloud loses most of the sunlight through its sides.
       var from_above = from_sky + sun * (DOME_SUN_IN_DEPTH * max(sky.sun_direction.y, 0.0) / ATM_PI);
       if cloud_field.kind == CLOUD_STORM {
         from_above = deck / mix(SKY_OVERCAST_TRANSMITTANCE, 1.0, veil);

@@ -14,7 +14,8 @@ const DOME_DIFFRACTION_SHARE = 0.5;
 const DOME_DIFFRACTION_ASYMMETRY = 0.955;
 // Diffuse light that falls on cloud of the optical depth x passes with the fraction 1 / (1 + DOME_DIFFUSE * x).
 const DOME_DIFFUSE = 0.14;
-// Share of the sunlight on the top of a cloud that diffuses down beyond the reach of the octaves.
+// Share of the sunlight on the top of a cloud, other than a storm deck, that diffuses down beyond the reach of the
+// octaves.
 const DOME_SUN_IN_DEPTH = 0.22;
 // Share of the diffuse light that reaches the bottom of a crease between two heads.
 const DOME_CREASE = 0.35;
@@ -52,8 +53,8 @@ fn dome_sun_depth(p: vec3f, sun: vec3f, first_km: f32, footprint_km: f32) -> f32
 const DOME_STORM_HEIGHTS = vec2f(0.25, 0.75);
 // Least width over which the map of shadows is averaged in a storm deck, km.
 const DOME_STORM_BLUR_KM = 0.3;
-// How much water a storm deck holds differs from place to place: number of repeats of this noise in the tile of the
-// clouds, and the change of the water's natural logarithm from 0 to 1 in the noise.
+// A smooth noise says how much water a storm deck holds: its repeats in the tile of the clouds, and the growth of the
+// natural logarithm of the water as the noise goes from 0 to 1.
 const DOME_STORM_WATER_REPEATS = 6.0;
 const DOME_STORM_WATER_CONTRAST = 4.0;
 

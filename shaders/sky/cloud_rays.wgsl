@@ -5,7 +5,7 @@
 const RAY_AIR_SAMPLES = 8;
 
 // Fraction of the sunlight that the clouds let through to a point below them, averaged over `size_km`. For a point among
-// the clouds, it is that of the point below it at which the same ray leaves them.
+// the clouds, it is the fraction where the sun's ray through the point meets their base.
 fn ray_sunlit(p: vec3f, size_km: f32) -> f32 {
   let sun = cloud_turned(sky.sun_direction);
   let at_base = p.xz + sun.xz * ((cloud_field.base_km - p.y) / max(sun.y, SKY_LOWEST_BEAM));

@@ -56,7 +56,7 @@ fn weather_group(at: vec2f, gather: f32) -> f32 {
   return exp(gather * crowd - 0.92 * gather * gather);
 }
 
-// Heaps of cloud: the highest of paraboloids at random points, one in each of `cells` x `cells` cells of the tile.
+// Heaps of cloud: the highest of round ones at random points, one in each of `cells` x `cells` cells of the tile.
 // `area` is the sum of their areas divided by that of the tile, `steepness` the height of a heap divided by its radius,
 // both as fractions of tile and layer.
 fn weather_heaps(at: vec2f, cells: i32, area: f32, steepness: f32, gather: f32, key: u32) -> vec2f {
@@ -140,7 +140,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   var high = vec2f(-1.0, 0.0);
   if is_heaps {
     let steep = cloud_field.steepness;
-    // Towers stand on low wide heaps. Alone, narrower heaps stay low: they would be needles.
+    // Towers stand on low wide heaps. Narrower heaps that stand alone stay low: tall ones would be needles.
     let is_towering = cloud_field.kind == CLOUD_TOWERING;
     let broad = select(0.85, WEATHER_TOWERS.x, is_towering);
     let slim = select(1.0, WEATHER_TOWERS.y, is_towering);

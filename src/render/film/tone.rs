@@ -61,7 +61,7 @@ fn facing_sun_factor(scene: &Scene) -> f64 {
     let up = ((sun.y.asin().to_degrees() + 3.0) / 6.0).clamp(0.0, 1.0);
     // A sky image contains its own clouds.
     let overcast = if sky.panorama().is_some() { 0.0 } else { sky.overcast };
-    // The gaps of a storm deck have about this share of its area, a fit to shaders/sky/cloud_weather.wgsl.
+    // A rough share of a storm deck's gaps: the map of shaders/sky/cloud_weather.wgsl alone has fewer.
     let gaps = if sky.drawn_clouds() == CloudKind::Storm { (1.0 - sky.cloud_cover).powi(8) } else { 1.0 };
     let brightness = up * gaps * (1.0 - overcast).powi(2) * (1.0 - (1.0 - by_sun) * (1.0 - by_glitter));
     1.0 / (1.0 + 2.6 * brightness)

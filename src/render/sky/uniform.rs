@@ -219,7 +219,8 @@ gpu_struct! {
         /// no cloud shades it.
         pub fog_sun_irradiance: [f32; 3],
         unused_1: u32,
-        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky without clouds.
+        /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky without clouds; with a
+        /// sky image, by that image without its sun.
         pub clear_sky_irradiance: [f32; 3],
         unused_2: u32,
     }
