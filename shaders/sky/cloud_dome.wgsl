@@ -118,7 +118,7 @@ fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4
     return behind;
   }
   let veil = sky.overcast * sky.overcast;
-  let deck = light.overcast_zenith_radiance * (7.0 / 9.0);
+  let deck = sky_deck_radiance();
   let clear = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
   // Drops turn sunlight forwards and into the rainbow, where it falls on them between the clouds.
   let turned = dot(dir, sky.sun_direction);
@@ -168,7 +168,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let lit = atm_transmittance(transmittance_map, sky_sampler, h, mu_sun, sky.sun_radius_rad);
       let veil = sky.overcast * sky.overcast;
       let sun = atm_linear_srgb(lit) * sky.sun_tint * pow(1.0 - sky.overcast, 1.5);
-      let deck = light.overcast_zenith_radiance * (7.0 / 9.0);
+      let deck = sky_deck_radiance();
       let from_sky = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
       // The sea and the low air return little of the light that falls on them between the clouds.
       let on_sea = ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0);

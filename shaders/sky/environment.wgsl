@@ -71,10 +71,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     gain = vec3f(f);
     let on_sea = light.sun_irradiance * light.cloud_sun_transmittance;
     // The sky with its clouds has not been measured yet: where they close it, a deck lights the water.
-    let veil = sky.overcast * sky.overcast;
-    let closed = mix(1.0, veil, select(1.0, sky_open_share(), sky.has_cloud_dome > 0.0));
-    let from_deck = light.overcast_zenith_radiance * (7.0 / 9.0 * ATM_PI);
-    let from_sky = mix(light.clear_sky_irradiance, from_deck, closed);
+    let from_sky = mix(light.clear_sky_irradiance, ATM_PI * sky_deck_radiance(), sky_closed_share());
     own = (from_sky + on_sea * max(sky.sun_direction.y, 0.0)) * vec3f(0.0012, 0.0045, 0.0085);
   }
   let dir = vec3f(heading.x * cos(above), sin(above), heading.y * cos(above));

@@ -66,17 +66,12 @@ fn clear_irradiance() {
   if sky.fog.extinction_per_m > 0.0 {
     // Sunlight in the middle of the fog, and the diffuse light there, which includes the sunlight that the fog above
     // has scattered. About as much light goes up as comes down.
-    var o = sky.overcast * sky.overcast;
-    if sky.has_cloud_dome > 0.0 {
-      // Volumetric clouds light the fog like a deck where they close the sky.
-      o = mix(1.0, o, sky_open_share());
-    }
     let sunlight = fog_transmittance(0.5 * max(sky.fog.top_m, 0.0), sky.sun_direction.y, 0.0, FOG_FAR_M);
     let sun = light.sun_irradiance * light.cloud_sun_transmittance;
     light.fog_sun_irradiance = light.sun_irradiance * sunlight;
     light.sun_above_fog = 1.0 / max(fog_transmittance(0.0, sky.sun_direction.y, 0.0, FOG_FAR_M), 1e-3);
     let lost = sun * (high * (1.0 - sunlight));
-    light.fog_sky_radiance = (mix(diffuse, SKY_OVERCAST_TRANSMITTANCE * grey, o) + lost) * (0.6 / ATM_PI);
+    light.fog_sky_radiance = (mix(diffuse, SKY_OVERCAST_TRANSMITTANCE * grey, sky_closed_share()) + lost) * (0.6 / ATM_PI);
     let tint = vec3f(sky.fog_red, sky.fog_green, sky.fog_blue);
     light.fog_sky_radiance *= tint;
     light.fog_sun_irradiance *= tint;

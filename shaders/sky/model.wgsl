@@ -21,9 +21,23 @@ fn sky_overcast_radiance(above: f32) -> vec3f {
   return light.overcast_zenith_radiance * (1.0 + 2.0 * sin(max(above, 0.0))) / 3.0;
 }
 
+// Irradiance of a horizontal plane by an overcast sky, divided by pi.
+fn sky_deck_radiance() -> vec3f {
+  return light.overcast_zenith_radiance * (7.0 / 9.0);
+}
+
 // Fraction of the sky that volumetric clouds leave open, seen from straight below: a low sun passes through more clouds.
 fn sky_open_share() -> f32 {
   return pow(light.cloud_sun_transmittance, clamp(sky.sun_direction.y, 0.05, 1.0));
+}
+
+// Share of the sky that lights sea and fog like an overcast one: where volumetric clouds close it, and the overcast.
+fn sky_closed_share() -> f32 {
+  let veil = sky.overcast * sky.overcast;
+  if sky.has_cloud_dome > 0.0 {
+    return mix(1.0, veil, sky_open_share());
+  }
+  return veil;
 }
 
 // Light that is left to air in the shade of volumetric clouds, relative to clear air, and how grey it is: from 0, the
