@@ -53,7 +53,31 @@ library() {
   echo "library: clean, $(sort -u <<<"$tree" | wc -l) packages"
 }
 page_tools() { (cd web/tests && node --test); }
-native() { cargo test --locked --no-fail-fast; }
+# Two test programs at a time: where the last test of one waits for a single thread, the other one has work.
+native() {
+  local programs status=0
+  cargo test --locked --no-run || return 1
+  # Everything is built: this only lists the programs.
+  programs=$(CARGO_TERM_COLOR=never cargo test --locked --no-run 2>&1 | sed -n 's/^ *Executable .*(\(.*\))$/\1/p')
+  [ -n "$programs" ] || return 1
+  TEST_LOGS=$(mktemp -d)
+  export TEST_LOGS
+  xargs -d '\n' -P 2 -n 1 bash -c 'run_program "$0"' <<<"$programs" || status=1
+  cargo test --locked --doc || status=1
+  [ ! -e "$TEST_LOGS/failed" ] || cat "$TEST_LOGS/failed"
+  rm -rf "$TEST_LOGS"
+  return "$status"
+}
+# run_program FILE: runs a test program, and prints what it says when it has ended.
+run_program() {
+  local log status=0
+  log=$TEST_LOGS/$(basename "$1")
+  CARGO_MANIFEST_DIR=$PWD "$1" >"$log" 2>&1 || status=$?
+  [ "$status" -eq 0 ] || echo "test program failed: $1" >>"$TEST_LOGS/failed"
+  { flock 9 && echo "     Running $1" && cat "$log"; } 9>"$TEST_LOGS/lock"
+  return "$status"
+}
+export -f run_program
 cpu() {
   local test targets=(--lib)
   for test in "${CPU_TESTS[@]}"; do targets+=(--test "$test"); done
