@@ -391,9 +391,7 @@ impl eframe::App for App {
             self.draw_message(&ctx);
         }
         opened_files::show_drop_hint(&ctx);
-        if self.progress.wants_frame() {
-            ctx.request_repaint();
-        }
+        self.progress.request_wanted_frame(&ctx);
         self.round_pose_when_idle(&ctx);
         self.frames += 1;
     }

@@ -8,7 +8,8 @@ use crate::ocean::coast_task::ShownCoast;
 use crate::state::Params;
 use crate::state::params::Detail;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::time::Duration;
 use web_time::Instant;
 
 /// Number of foam time steps of the past that one frame computes after a start or a jump in time, because foam depends
@@ -19,6 +20,11 @@ const SOFTWARE_ADAPTER_MAX_FOAM_STEPS_PER_FRAME: usize = 1;
 /// Number of foam time steps of the past that one frame computes while a picture is drawn to be saved, for FFT sizes
 /// from 256. All of these frames have full quality, so that few of them matter more than short ones.
 const MAX_FOAM_STEPS_PER_FRAME_OF_PICTURE: usize = 24;
+/// Time between the frames of the interface while the GPU works on the first picture. Frames at full rate would queue up
+/// on a slow GPU, and the second picture would wait for all of them.
+const FIRST_PICTURE_FRAME_INTERVAL: Duration = Duration::from_millis(100);
+/// Number of frames at full rate before that. They tell the display's refresh interval.
+const FIRST_PICTURE_FULL_RATE_FRAMES: u32 = 10;
 /// Upper limit of the wall-clock time by which one frame advances a cross-fade between two seas, s.
 const MAX_FADE_STEP_S: f64 = 0.1;
 
@@ -37,6 +43,8 @@ struct ProgressFlags {
     callback_installed: AtomicBool,
     /// Whether the GPU has finished the first picture.
     finished: AtomicBool,
+    /// Number of frames since the first picture was submitted, until it is finished.
+    pending_frames: AtomicU32,
 }
 
 impl DrawingProgress {
@@ -61,12 +69,25 @@ impl DrawingProgress {
         self.0.callback_installed.load(Ordering::Relaxed) && !self.has_first_picture()
     }
 
-    /// Once the first picture has been submitted, asks wgpu to set `finished` when the GPU has finished it. Call this
-    /// before each frame is recorded.
-    fn watch_first_submission(&self, gpu: &Gpu) {
+    /// Requests the next frame if one is needed even while simulated time is stopped.
+    pub fn request_wanted_frame(&self, ctx: &egui::Context) {
+        let is_pending = self.is_first_picture_pending();
+        if is_pending && self.0.pending_frames.fetch_add(1, Ordering::Relaxed) >= FIRST_PICTURE_FULL_RATE_FRAMES {
+            ctx.request_repaint_after(FIRST_PICTURE_FRAME_INTERVAL);
+        } else if self.wants_frame() {
+            ctx.request_repaint();
+        }
+    }
+
+    /// Once the first picture has been submitted, asks wgpu to set `finished` and to request a frame when the GPU has
+    /// finished it. Call this before each frame is recorded.
+    fn watch_first_submission(&self, gpu: &Gpu, ctx: &egui::Context) {
         if self.0.painted.load(Ordering::Relaxed) && !self.0.callback_installed.swap(true, Ordering::Relaxed) {
-            let marks = self.0.clone();
-            gpu.queue.on_submitted_work_done(move || marks.finished.store(true, Ordering::Relaxed));
+            let (marks, ctx) = (self.0.clone(), ctx.clone());
+            gpu.queue.on_submitted_work_done(move || {
+                marks.finished.store(true, Ordering::Relaxed);
+                ctx.request_repaint();
+            });
         }
     }
 }
@@ -102,7 +123,8 @@ pub fn show_sea(
     if response.rect.is_positive() {
         let dt_s = f64::from(ui.input(|i| i.stable_dt)).min(MAX_FADE_STEP_S);
         let (progress, measurements) = (progress.clone(), measurements.clone());
-        let frame = SeaFrame { params: params.clone(), coast, size, progress, measurements, dt_s, kind };
+        let ctx = ui.ctx().clone();
+        let frame = SeaFrame { ctx, params: params.clone(), coast, size, progress, measurements, dt_s, kind };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(response.rect, frame));
     }
     (response, size)
@@ -117,9 +139,10 @@ fn foam_steps_per_frame(gpu: &Gpu, n: u32, is_saved: bool) -> usize {
     most * (256 / n).max(1).pow(2) as usize
 }
 
-/// Everything with which egui's paint callback records one frame of the sea: parameters, size of the picture in pixels,
-/// and the state that it shares with the app.
+/// Everything with which egui's paint callback records one frame of the sea: egui's context, parameters, size of the
+/// picture in pixels, and the state that it shares with the app.
 struct SeaFrame {
+    ctx: egui::Context,
     params: Params,
     coast: ShownCoast,
     size: [u32; 2],
@@ -141,7 +164,7 @@ impl egui_wgpu::CallbackTrait for SeaFrame {
         resources: &mut egui_wgpu::CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(ocean) = resources.get_mut::<Ocean>() else { return Vec::new() };
-        self.progress.watch_first_submission(ocean.gpu());
+        self.progress.watch_first_submission(ocean.gpu(), &self.ctx);
         if self.progress.is_first_picture_pending() {
             return Vec::new();
         }
