@@ -239,6 +239,28 @@ fn a_low_sun_does_not_light_the_base_of_a_storm_deck() {
     assert!(most > 1.2 * least, "{least} {most}");
 }
 
+/// Air, haze and sea salt below a storm deck have its light: the horizon below a low sun is as grey and as bright as the one
+/// beside it.
+#[test]
+fn no_glow_of_a_low_sun_lies_below_a_storm_deck() {
+    let mut pictures = Pictures::default();
+    let view = "n=64&wind=20&t=5&dither=0&bloom=0&autoexposure=0&exposure=2&y=5&sun=5&sunaz=30&haze=0.6&pitch=4&fov=40\
+                &clouds=storm&cloudcover=0.8";
+    let mut horizon = |heading: u32| {
+        let pixels = pictures.render(&params(&format!("{view}&heading={heading}")), SIZE);
+        let [width, height] = SIZE.map(|s| s as usize);
+        // From 1 to 3 degrees above the horizon, which lies 4 degrees below the middle.
+        let degree = height as f64 / 40.0;
+        let rows = |up: f64| (height as f64 / 2.0 + (4.0 - up) * degree) as usize * width;
+        let low = &pixels[rows(3.0)..rows(1.0)];
+        [0, 1, 2].map(|c| low.iter().map(|p| f64::from(p[c])).sum::<f64>() / low.len() as f64)
+    };
+    let [below_sun, beside] = [30, 150].map(&mut horizon);
+    eprintln!("colour of the horizon below the sun {below_sun:.0?}, beside it {beside:.0?}");
+    assert!((0..3).all(|c| (below_sun[c] / beside[c] - 1.0).abs() < 0.1), "{below_sun:.0?} {beside:.0?}");
+    assert!(beside[2] < 1.4 * beside[0], "{beside:.0?}");
+}
+
 /// Rays of the sun come down from a gap in a deck: shafts of rain are bright there, and dark in the shade beside it.
 #[test]
 fn the_sun_lights_rain_below_a_gap() {

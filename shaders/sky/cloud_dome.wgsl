@@ -124,7 +124,7 @@ fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4
   let turned = dot(dir, sky.sun_direction);
   // The share of the bow is half of what the shaft hides, as in air_rainbow.
   let phase = atm_henyey_greenstein(turned, 0.7) + 0.5 * rainbow_phase(turned);
-  let shade = mix(0.07, 0.3, sky_open_share());
+  let shade = mix(0.07, 0.3, light.cloud_gap_share);
   let lit = atm_transmittance(transmittance_map, sky_sampler, 0.0, sky.sun_direction.y, sky.sun_radius_rad);
   let between = shafts.sunlit * pow(1.0 - sky.overcast, 1.5);
   let sun = atm_linear_srgb(lit) * sky.sun_tint * (between * phase);
@@ -132,7 +132,7 @@ fn dome_behind_squalls(behind: vec4f, dir: vec3f, above: f32, near: f32) -> vec4
   let air = dome_air_transmittance(dir.y, shafts.distance_km);
   let whole = dome_air_transmittance(dir.y, 1e3);
   let hazed = saturate((1.0 - air) / max(1.0 - whole, vec3f(1e-3)));
-  let before = ray_air_radiance(dir, above, shafts.distance_km) * (0.5 * hazed);
+  let before = ray_air_radiance(dir, above, shafts.distance_km, 1.0 - whole) * (0.5 * hazed);
   let own = (grey * shade + sun) * air + before;
   let through = shafts.transmittance;
   return vec4f(behind.rgb * through + own * (1.0 - through), behind.a * through);
@@ -172,7 +172,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let from_sky = mix(light.clear_sky_irradiance / ATM_PI, deck, veil);
       // The sea and the low air return little of the light that falls on them between the clouds.
       let on_sea = ATM_PI * from_sky + sun * max(sky.sun_direction.y, 0.0);
-      let from_sea = sky_shaded_air(on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky);
+      let lit_sea = on_sea * (ATM_SEA_ALBEDO / ATM_PI) + 0.35 * from_sky;
+      let from_sea = mix(sky_broken_shade(lit_sea), lit_sea, light.cloud_gap_share);
       // Deep in a cloud, the light from above is that of sky and sun together. All of it enters a storm deck, which
       // makes it grey, as an overcast sky does; a heap of cloud loses most of the sunlight through its sides.
       var from_above = from_sky + sun * (DOME_SUN_IN_DEPTH * max(sky.sun_direction.y, 0.0) / ATM_PI);
@@ -183,7 +184,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let air = dome_air_transmittance(dir.y, seen.distance_km);
       let whole = dome_air_transmittance(dir.y, 1e3);
       let hazed = (1.0 - air) / max(1.0 - whole, vec3f(1e-3));
-      let before = ray_air_radiance(dir, above, seen.distance_km) * saturate(hazed) * (1.0 - seen.transmittance);
+      let whole_air = ray_air_radiance(dir, above, seen.distance_km, 1.0 - whole);
+      let before = whole_air * saturate(hazed) * (1.0 - seen.transmittance);
       out = vec4f(radiance * air + before, seen.transmittance);
     }
   }

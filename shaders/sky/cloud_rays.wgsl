@@ -21,10 +21,10 @@ fn ray_point(dir: vec3f, distance_km: f32) -> vec3f {
   return vec3f(cloud_field.eye_km.x + along.x, altitude, cloud_field.eye_km.y + along.z);
 }
 
-// Radiance of the air on a ray up to a distance at which there are clouds or rain, relative to its opacity. Shaded air
-// has no glow around the sun, but the light of clear air beside it. On average, the sun lights at most the part
-// sky_open_share.
-fn ray_air_radiance(dir: vec3f, above: f32, distance_km: f32) -> vec3f {
+// Radiance that all the air on a ray would have, if it were lit like the part before the clouds or rain at `distance_km`.
+// `opacity` is that of all the air on the ray. Shaded air has no glow around the sun, but the light of clear air beside
+// it. On average, the sun lights at most the part light.cloud_gap_share.
+fn ray_air_radiance(dir: vec3f, above: f32, distance_km: f32, opacity: vec3f) -> vec3f {
   var sum = 0.0;
   for (var i = 0; i < RAY_AIR_SAMPLES; i++) {
     let part = (f32(i) + 0.5) / f32(RAY_AIR_SAMPLES);
@@ -36,5 +36,6 @@ fn ray_air_radiance(dir: vec3f, above: f32, distance_km: f32) -> vec3f {
   let veil = sky.overcast * sky.overcast;
   let clear = mix(sky_clear_radiance(dir, above), overcast, veil);
   let diffuse = mix(sky_clear_radiance(beside_sun, above), overcast, veil);
-  return sky_partly_shaded_air(clear, diffuse, min(sky_open_share() * contrast, 1.0));
+  let deck = light.overcast_zenith_radiance * (1.0 / 3.0) * opacity;
+  return sky_partly_shaded_air(clear, diffuse, deck, min(light.cloud_gap_share * contrast, 1.0));
 }

@@ -1,5 +1,6 @@
 // Fills the repeating map of the sunlight that passes through the clouds, by the point where a ray towards the sun
-// meets the height of their base.
+// meets the height of their base (red), and of the light that comes straight down there (green), of which only the mean is
+// used: 0 below heaps and decks, 1 in gaps of their field, and what ice lets through.
 
 @group(0) @binding(0) var<uniform> cloud_field: CloudField;
 @group(0) @binding(1) var<uniform> sky: Sky;
@@ -28,7 +29,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
       let place = at + slope.xz * (CIRRUS_RISES[i] / cloud_field.layers_per_km);
       thin += cirrus_depth(place, i, mat2x2f(side_km, 0.0, 0.0, side_km)) * length(slope);
     }
-    textureStore(shadow_out, id.xy, vec4f(exp(-thin), 0.0, 0.0, 1.0));
+    textureStore(shadow_out, id.xy, vec4f(exp(-thin), exp(-thin / length(slope)), 0.0, 1.0));
     return;
   }
   let way_km = step_km * length(slope);
@@ -40,5 +41,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     depth += cloud_density(p, footprint_km, way_km);
   }
   depth *= way_km * cloud_field.extinction_per_km;
-  textureStore(shadow_out, id.xy, vec4f(exp(-depth), 0.0, 0.0, 1.0));
+  let is_gap = textureLoad(weather_map, id.xy, 0).r <= 0.0;
+  textureStore(shadow_out, id.xy, vec4f(exp(-depth), select(0.0, 1.0, is_gap), 0.0, 1.0));
 }

@@ -13,20 +13,24 @@
 @group(0) @binding(8) var dome_map: texture_2d_array<f32>;
 @group(0) @binding(9) var environment_out: texture_storage_2d<rgba16float, write>;
 
-// Mean radiance of the sky with volumetric clouds over a texel, whose middle has this azimuth and elevation. Ahead, the
-// dome has finer texels than the environment map.
+// Radiance of the sky with volumetric clouds at this azimuth and elevation.
+fn environment_cloudy_point(azimuth: f32, above: f32) -> vec3f {
+  let dir = vec3f(sin(azimuth) * cos(above), sin(above), -cos(azimuth) * cos(above));
+  let clear = mix(sky_clear_radiance(dir, above), sky_overcast_radiance(above), sky.overcast * sky.overcast);
+  let uv = cloud_map_uv(dir.xz, above, vec2f(textureDimensions(dome_map)), clouds.new_ahead);
+  let dome = textureSampleLevel(dome_map, sky_sampler, uv, clouds.new_layer, 0.0);
+  return clear * dome.a + dome.rgb;
+}
+
+// Its mean over a texel, whose middle has this azimuth and elevation. Ahead, the dome has finer texels than the
+// environment map.
 fn environment_cloudy_radiance(azimuth: f32, above: f32, pixel: f32) -> vec3f {
   const SIDE = 4;
   var sum = vec3f(0.0);
   for (var i = 0; i < SIDE * SIDE; i++) {
     let off = (vec2f(f32(i % SIDE), f32(i / SIDE)) + 0.5) / f32(SIDE) - 0.5;
-    let turn = azimuth + pixel * off.x;
     let high = clamp(above + pixel * off.y, 0.0, 0.5 * ATM_PI);
-    let dir = vec3f(sin(turn) * cos(high), sin(high), -cos(turn) * cos(high));
-    let clear = mix(sky_clear_radiance(dir, high), sky_overcast_radiance(high), sky.overcast * sky.overcast);
-    let uv = cloud_map_uv(dir.xz, high, vec2f(textureDimensions(dome_map)), clouds.new_ahead);
-    let dome = textureSampleLevel(dome_map, sky_sampler, uv, clouds.new_layer, 0.0);
-    sum += clear * dome.a + dome.rgb;
+    sum += environment_cloudy_point(azimuth + pixel * off.x, high);
   }
   return sum / f32(SIDE * SIDE);
 }
@@ -53,6 +57,24 @@ fn environment_sunlit() -> f32 {
   return sum / f32(SIDE * SIDE);
 }
 
+// Elevation at which the radiance of the sky, averaged over its azimuths, is about its irradiance on the sea over pi, rad.
+const ENVIRONMENT_MEAN_ELEVATION = 0.75;
+
+// Irradiance of the sea by the sky with its clouds, which has not been measured yet.
+fn environment_sky_irradiance() -> vec3f {
+  if sky.has_cloud_dome <= 0.0 {
+    return mix(light.clear_sky_irradiance, ATM_PI * sky_deck_radiance(), sky.overcast * sky.overcast);
+  }
+  const SIDES = 8;
+  let sun = sky_azimuth_turns(sky.sun_heading);
+  var sum = vec3f(0.0);
+  for (var i = 0; i < SIDES; i++) {
+    let azimuth = 2.0 * ATM_PI * (sun + (f32(i) + 0.5) / f32(SIDES));
+    sum += environment_cloudy_point(azimuth, ENVIRONMENT_MEAN_ELEVATION);
+  }
+  return sum * (ATM_PI / f32(SIDES));
+}
+
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
   let size = vec2f(textureDimensions(environment_out));
@@ -70,8 +92,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let f = 0.02 + 0.98 * pow(1.0 - sin(above), 5.0);
     gain = vec3f(f);
     let on_sea = light.sun_irradiance * light.cloud_sun_transmittance;
-    // The sky with its clouds has not been measured yet: where they close it, a deck lights the water.
-    let from_sky = mix(light.clear_sky_irradiance, ATM_PI * sky_deck_radiance(), sky_closed_share());
+    let from_sky = environment_sky_irradiance();
     own = (from_sky + on_sea * max(sky.sun_direction.y, 0.0)) * vec3f(0.0012, 0.0045, 0.0085);
   }
   let dir = vec3f(heading.x * cos(above), sin(above), heading.y * cos(above));

@@ -50,9 +50,12 @@ fn clear_irradiance() {
   let high = max(sky.sun_direction.y, 0.0);
   let globally = diffuse + beam * high;
   light.cloud_sun_transmittance = 1.0;
+  light.cloud_gap_share = 1.0;
   if sky.has_cloud_dome > 0.0 {
-    // The last mip level holds the mean.
-    light.cloud_sun_transmittance = textureLoad(cloud_shadow_map, vec2u(0u), textureNumLevels(cloud_shadow_map) - 1u).r;
+    // The last mip level holds the means.
+    let means = textureLoad(cloud_shadow_map, vec2u(0u), textureNumLevels(cloud_shadow_map) - 1u);
+    light.cloud_sun_transmittance = means.r;
+    light.cloud_gap_share = means.g;
   }
   light.sun_irradiance = beam * pow(1.0 - sky.overcast, 1.5);
   light.sky_irradiance = diffuse;

@@ -26,35 +26,36 @@ fn sky_deck_radiance() -> vec3f {
   return light.overcast_zenith_radiance * (7.0 / 9.0);
 }
 
-// Fraction of the sky that volumetric clouds leave open, seen from straight below: a low sun passes through more clouds.
-fn sky_open_share() -> f32 {
-  return pow(light.cloud_sun_transmittance, clamp(sky.sun_direction.y, 0.05, 1.0));
-}
-
-// Share of the sky that lights sea and fog like an overcast one: where volumetric clouds close it, and the overcast.
+// Share of the sky that lights fog like an overcast one: where volumetric clouds close it, and the overcast.
 fn sky_closed_share() -> f32 {
   let veil = sky.overcast * sky.overcast;
   if sky.has_cloud_dome > 0.0 {
-    return mix(1.0, veil, sky_open_share());
+    return mix(1.0, veil, light.cloud_gap_share);
   }
   return veil;
 }
 
-// Light that is left to air in the shade of volumetric clouds, relative to clear air, and how grey it is: from 0, the
+// Light that is left to air and sea in the shade of broken clouds, relative to clear air, and how grey it is: from 0, the
 // colour of clear air, to 1.
 const SKY_SHADED_AIR = 0.2;
 const SKY_SHADED_GREY = 0.75;
 
-// Radiance of air that the sun lights between clouds on the fraction `open` of its length. `clear` is that of clear air
-// in the sun, `diffuse` that of air that only scattered light reaches: from clouds comes no blue of the sky.
-fn sky_partly_shaded_air(clear: vec3f, diffuse: vec3f, open: f32) -> vec3f {
-  let shaded = SKY_SHADED_AIR * mix(diffuse, vec3f(sky_luminance(diffuse)), SKY_SHADED_GREY);
-  return mix(shaded, clear, open);
+// Light in the shade of broken clouds, where `clear` is the light between them: from clouds comes no blue of the sky.
+fn sky_broken_shade(clear: vec3f) -> vec3f {
+  return SKY_SHADED_AIR * mix(clear, vec3f(sky_luminance(clear)), SKY_SHADED_GREY);
 }
 
-// Mean radiance of the air below volumetric clouds, where clear air has the radiance `clear`.
-fn sky_shaded_air(clear: vec3f) -> vec3f {
-  return sky_partly_shaded_air(clear, clear, sky_open_share());
+// Radiance of air that the sun lights between clouds on the fraction `open` of its length. `clear` is that of clear air
+// in the sun, `diffuse` that of air that only scattered light reaches, and `deck` that of air below a closed deck, which
+// has no glow around the sun.
+fn sky_partly_shaded_air(clear: vec3f, diffuse: vec3f, deck: vec3f, open: f32) -> vec3f {
+  return mix(mix(deck, sky_broken_shade(diffuse), light.cloud_gap_share), clear, open);
+}
+
+// Mean radiance of the air below volumetric clouds, where clear air has the radiance `clear`, and air below a closed deck
+// the radiance `deck`.
+fn sky_shaded_air(clear: vec3f, deck: vec3f) -> vec3f {
+  return sky_partly_shaded_air(clear, clear, deck, light.cloud_gap_share);
 }
 
 // Texture coordinates of a direction in a sky from a file. The image centre is the horizon at the heading

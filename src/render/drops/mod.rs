@@ -49,7 +49,8 @@ impl<T: bytemuck::Pod> DropPass<T> {
         let format = water.scene.output.format();
         let onto = AttachmentFormats { blend: Some(BLEND_OVER), ..attachments(&format, DEPTH_TEST_BACKGROUND) };
         let layouts = [&water.scene.layout, water.maps_layout(), &layout];
-        let constants = [switch_constant("WATER_COAST", has_coast)];
+        // Where there are no clouds, the air has the same light as without this part; one pipeline serves both.
+        let constants = [switch_constant("WATER_COAST", has_coast), switch_constant("SKY_CLOUD_SHADOWS", true)];
         // A strip runs the vertex shader for four corners of a quad; two single triangles would take six.
         let topology = wgpu::PrimitiveTopology::TriangleStrip;
         let program = RenderProgram { constants: &constants, topology, ..RenderProgram::new(&text) };
