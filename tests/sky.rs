@@ -239,7 +239,7 @@ fn a_low_sun_does_not_light_the_base_of_a_storm_deck() {
     assert!(most > 1.2 * least, "{least} {most}");
 }
 
-/// Air, haze and sea salt below a storm deck have its light: the horizon below a low sun is as grey and as bright as the one
+/// Air, haze and sea salt below a storm deck have its light: below a low sun, the horizon is as grey and as bright as
 /// beside it.
 #[test]
 fn no_glow_of_a_low_sun_lies_below_a_storm_deck() {

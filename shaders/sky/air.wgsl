@@ -38,7 +38,7 @@ fn air_clear_on_ray(dir: vec3f, distance_m: f32) -> array<vec3f, 2> {
   let opacities = 1.0 - exp(-vec2f((extinction.y + salt) * km, extinction.y * whole_km));
   let share = opacities.x / max(opacities.y, 1e-6);
   var clear = sky_clear_radiance(dir, below) * share;
-  let grey = light.overcast_zenith_radiance * (1.0 / 3.0) * (1.0 - through);
+  let grey = sky_overcast_horizon_radiance() * (1.0 - through);
   if SKY_CLOUD_SHADOWS {
     clear = sky_shaded_air(clear, grey);
   }

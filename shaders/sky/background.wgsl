@@ -76,7 +76,7 @@ fn sky_behind_salt(radiance: vec3f, dir: vec3f, above: f32) -> vec3f {
   let slant_km = SKY_SALT_HEIGHT_KM / sqrt(above * above + SKY_SALT_LEVEL_ELEVATION * SKY_SALT_LEVEL_ELEVATION);
   let through = exp(-frame.salt_extinction_per_km * slant_km * fade);
   var clear = sky_clear_radiance(dir, 0.0);
-  let grey = light.overcast_zenith_radiance * (1.0 / 3.0);
+  let grey = sky_overcast_horizon_radiance();
   if SKY_CLOUD_DOME && sky.has_cloud_dome > 0.0 {
     clear = sky_shaded_air(clear, grey);
   }

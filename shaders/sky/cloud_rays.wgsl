@@ -36,6 +36,6 @@ fn ray_air_radiance(dir: vec3f, above: f32, distance_km: f32, opacity: vec3f) ->
   let veil = sky.overcast * sky.overcast;
   let clear = mix(sky_clear_radiance(dir, above), overcast, veil);
   let diffuse = mix(sky_clear_radiance(beside_sun, above), overcast, veil);
-  let deck = light.overcast_zenith_radiance * (1.0 / 3.0) * opacity;
+  let deck = sky_overcast_horizon_radiance() * opacity;
   return sky_partly_shaded_air(clear, diffuse, deck, min(light.cloud_gap_share * contrast, 1.0));
 }

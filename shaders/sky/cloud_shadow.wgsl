@@ -1,6 +1,6 @@
 // Fills the repeating map of the sunlight that passes through the clouds, by the point where a ray towards the sun
-// meets the height of their base (red), and of the light that comes straight down there (green), of which only the mean is
-// used: 0 below heaps and decks, 1 in gaps of their field, and what ice lets through.
+// meets the height of their base (red). Green is the share of open sky straight above that point: 0 below heaps and
+// decks, 1 in gaps of their field, and the transmittance of cirrus. Only the mean of green is used.
 
 @group(0) @binding(0) var<uniform> cloud_field: CloudField;
 @group(0) @binding(1) var<uniform> sky: Sky;

@@ -22,8 +22,8 @@ fn environment_cloudy_point(azimuth: f32, above: f32) -> vec3f {
   return clear * dome.a + dome.rgb;
 }
 
-// Its mean over a texel, whose middle has this azimuth and elevation. Ahead, the dome has finer texels than the
-// environment map.
+// Mean radiance of the sky with volumetric clouds over a texel of the environment map, `pixel` rad wide and high around
+// this azimuth and elevation. It takes many samples, because the dome has finer texels in the direction of the view.
 fn environment_cloudy_radiance(azimuth: f32, above: f32, pixel: f32) -> vec3f {
   const SIDE = 4;
   var sum = vec3f(0.0);

@@ -21,6 +21,11 @@ fn sky_overcast_radiance(above: f32) -> vec3f {
   return light.overcast_zenith_radiance * (1.0 + 2.0 * sin(max(above, 0.0))) / 3.0;
 }
 
+// Radiance of an overcast sky at the horizon, and so of much air below it.
+fn sky_overcast_horizon_radiance() -> vec3f {
+  return light.overcast_zenith_radiance * (1.0 / 3.0);
+}
+
 // Irradiance of a horizontal plane by an overcast sky, divided by pi.
 fn sky_deck_radiance() -> vec3f {
   return light.overcast_zenith_radiance * (7.0 / 9.0);

@@ -218,8 +218,8 @@ gpu_struct! {
         /// Irradiance (RGB; unit: 6400 lux / `night_gain`) by the sun at half the fog's height, on a plane facing it, where
         /// no cloud shades it.
         pub fog_sun_irradiance: [f32; 3],
-        /// Share of the sky straight above that the volumetric clouds leave open, averaged over their field before noise
-        /// roughens them, 0 to 1; of cirrus the transmittance; 1 without clouds.
+        /// Share of the sky straight above that the volumetric clouds leave open, 0 to 1, averaged over their field: the
+        /// gaps between clouds that no noise has roughened, or the transmittance of cirrus. 1 without clouds.
         pub cloud_gap_share: f32,
         /// Irradiance (RGB; unit: 6400 lux / `night_gain`) of a horizontal plane by the sky without clouds; with a
         /// sky image, by that image without its sun.
